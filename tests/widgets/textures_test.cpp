@@ -7,6 +7,7 @@
 
 #include "app/dialogs/texture_locator.h"
 #include "app/notice_bar.h"
+#include "app/session_files.h"
 #include "io/import.h"
 #include "mesh/missing_textures.h"
 #include "panels/help/help_text.h"
@@ -48,6 +49,20 @@ private Q_SLOTS:
         const auto* offer = notice->findChild<QPushButton*>();
         QVERIFY(offer->isVisible() && offer->text().startsWith(QStringLiteral("Locate")));
         QVERIFY(action().isEnabled());
+    }
+
+    void noticeOffersToLocateThoseOfASession() {
+        auto* files = m_window->findChild<SessionFiles*>();
+        files->save(in("board.hitscope"));
+        QTRY_VERIFY_WITH_TIMEOUT(!files->isBusy(), kPatience);
+        makeWindow();
+        QTRY_VERIFY_WITH_TIMEOUT(!m_window->findChild<SessionFiles*>()->isBusy(), kPatience);
+        m_window->openFiles({in("board.hitscope")});
+        const auto* notice = m_window->findChild<NoticeBar*>();
+        QTRY_VERIFY_WITH_TIMEOUT(notice->isVisible(), kPatience);
+        QVERIFY2(notice->text().contains(QStringLiteral("wood.png")), qPrintable(notice->text()));
+        const auto* offer = notice->findChild<QPushButton*>();
+        QVERIFY(offer->isVisible() && offer->text().startsWith(QStringLiteral("Locate")));
     }
 
     void oneFindsItsNeighboursAndCanBeUndone() {

@@ -135,7 +135,7 @@ void FileActions::takeSession(const QString& path, const QStringList& notes) {
         Q_EMIT said(tr("Opened %1").arg(QFileInfo(path).fileName()));
     }
     if (!notes.isEmpty()) {
-        m_parts.notice.say(firstOf(notes).join(u'\n'));
+        sayNotes(firstOf(notes));
     }
 }
 
@@ -287,9 +287,18 @@ void FileActions::sayOpened(const QStringList& notes) {
         m_parts.notice.say(lines.join(u'\n'),
                            tr("Scale to %1 m").arg(shownNumber(static_cast<double>(kUsualExtent))),
                            [this] { place(kUsualExtent); });
-    } else if (m_parts.textures.isAnyMissing()) {
+    } else {
+        sayNotes(lines);
+    }
+}
+
+void FileActions::sayNotes(const QStringList& lines) {
+    if (lines.isEmpty()) {
+        return;
+    }
+    if (m_parts.textures.isAnyMissing()) {
         m_parts.notice.say(lines.join(u'\n'), tr("Locate…"), [this] { m_parts.textures.locate(); });
-    } else if (!lines.isEmpty()) {
+    } else {
         m_parts.notice.say(lines.join(u'\n'));
     }
 }

@@ -77,6 +77,7 @@ private:
     QStringList chooseMeshes(const QString& title, const QString& first);
     void remember(const QString& path);
     void takeSession(const QString& path, const QStringList& notes);
+    void sayNotes(const QStringList& lines);  ///< with a way to locate textures that are missing
     void choosePlacement();
     void loadSample(SampleScene scene);
     void fillScenes(QMenu& menu);

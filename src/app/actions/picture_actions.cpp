@@ -40,6 +40,12 @@ QString pictureFolder() {
                : QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
 }
 
+/// For dialogs, which take a path that does not exist for a file's name.
+QString existingFolder() {
+    const QString folder = pictureFolder();
+    return QFileInfo(folder).isDir() ? folder : QDir::homePath();
+}
+
 void rememberFolder(const QString& folder) {
     ChangedSettings()->setValue(folderKey(), folder);
 }
@@ -217,7 +223,7 @@ void PictureActions::choosePicture() {
     }
     const QString path = askSaveName(
         &m_window, {.title = tr("Save picture"),
-                    .suggested = QDir(pictureFolder()).filePath(baseName() + QStringLiteral(".png")),
+                    .suggested = QDir(existingFolder()).filePath(baseName() + QStringLiteral(".png")),
                     .filters = filters,
                     .suffixes = suffixes});
     if (path.isEmpty()) {
@@ -238,7 +244,7 @@ void PictureActions::chooseSequence() {
     }
     dialog.save(*ChangedSettings());
     const QString folder =
-        QFileDialog::getExistingDirectory(&m_window, tr("Folder for the pictures"), pictureFolder());
+        QFileDialog::getExistingDirectory(&m_window, tr("Folder for the pictures"), existingFolder());
     if (!folder.isEmpty()) {
         rememberFolder(folder);
         writeSequence({requestOf(dialog), dialog.turntable(), folder, baseName()});
