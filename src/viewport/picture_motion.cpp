@@ -98,6 +98,7 @@ PictureDetail PictureMotion::beginFrame() {
 }
 
 void PictureMotion::frameShown(double seconds) {
+    m_seen = {.scale = m_detail.scale, .coarse = m_detail.coarse && m_drewCoarse};
     judgeFull(seconds);
     m_isDrawn = false;
     if (!std::exchange(m_isRestDue, false) && !m_timer.isActive()) {

@@ -61,10 +61,8 @@ public:
         m_drewCoarse = coarse;
         m_waiting = waiting;
     }
-    /// The last picture as one sees it.
-    [[nodiscard]] PictureDetail seenDetail() const {
-        return {.scale = m_detail.scale, .coarse = m_detail.coarse && m_drewCoarse};
-    }
+    /// The picture that is shown, as one sees it.
+    [[nodiscard]] const PictureDetail& seenDetail() const { return m_seen; }
     /// Whether another picture comes, in full, once nothing moves.
     [[nodiscard]] bool isReduced() const;
     /// Frames take another time from now on.
@@ -109,6 +107,7 @@ private:
     bool m_isRestDue = false;    ///< once it is
     bool m_drewCoarse = false;   ///< the last one did
     PictureDetail m_detail;      ///< of the last picture
+    PictureDetail m_seen;        ///< of the last one that was shown
     float m_distance = 0.0f;     ///< metres, where what is no help was forgotten last
     QTimer m_timer;              ///< runs while the picture moves
 };

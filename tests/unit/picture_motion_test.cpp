@@ -41,6 +41,22 @@ private Q_SLOTS:
         QVERIFY(!motion.isReduced());
     }
 
+    /// Not one that is being drawn, which may turn out to be another.
+    static void tellsWhatIsSeen() {
+        PictureMotion motion;
+        motion.setOn(true);
+        motion.hold(PictureDetail{.scale = 0.5f});
+        motion.moved();
+        QVERIFY(drawn(motion, 0.05).isFull());
+        QCOMPARE(motion.beginFrame().scale, 0.5f);
+        QVERIFY(motion.seenDetail().isFull());
+        motion.keptShown(false);
+        motion.frameShown(0.05);
+        QVERIFY(motion.seenDetail().isFull());
+        QCOMPARE(drawn(motion, 0.05).scale, 0.5f);
+        QCOMPARE(motion.seenDetail().scale, 0.5f);
+    }
+
     static void whatIsSlowIsLeftToTheRefiner() {
         PictureMotion motion;
         motion.setOn(true);
