@@ -26,7 +26,9 @@ QByteArray sheetObj(double place, double size, double lifted = 0.0) {
     QByteArray text;
     const auto number = [](double value) { return ' ' + QByteArray::number(value, 'g', 17); };
     for (int i = 0; i < 25; ++i) {
-        text += "v" + number(place + size * (i % 5) / 4.0) + number(size * (i / 5) / 4.0) +
+        const int column = i % 5;
+        const int row = i / 5;
+        text += "v" + number(place + size * column / 4.0) + number(size * row / 4.0) +
                 number(i == 24 ? lifted : 0.0) + '\n';
     }
     for (int i = 0; i < 16; ++i) {
