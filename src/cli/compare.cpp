@@ -181,7 +181,8 @@ Outcome compare(Invocation& given, const std::optional<double>& tolerance) {
                ? Outcome(Done{})
                : differs({tolerance
                               ? QStringLiteral("They differ by more than %1 m.").arg(*tolerance).toStdString()
-                              : "They differ in some bits.",
+                          : largest > 0.0 ? "They differ."
+                                          : "They differ in some bits, by no distance.",
                           given.file(0).toStdString() + ", " + sides.otherName.toStdString(), ""});
 }
 
