@@ -147,6 +147,11 @@ void RefinedView::keptShown(bool isMoving) {
     m_patched = !m_shown;
 }
 
+void RefinedView::plainShown() {
+    m_shown = false;
+    m_patched = true;
+}
+
 void RefinedView::patched(const FrameParts& parts) {
     d->key.emplace(parts);
     m_shown = false;

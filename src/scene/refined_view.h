@@ -27,7 +27,8 @@ public:
     [[nodiscard]] bool hasPicture() const;
     /// Whether it was drawn at the last SceneGpu::draw().
     [[nodiscard]] bool wasShown() const { return m_shown; }
-    /// Whether it was drawn for another picture: where vertices have moved since, or with what moves over it.
+    /// Whether it was drawn for another picture: where vertices have moved since, with what moves over it, or
+    /// its plain picture in place of too few samples.
     [[nodiscard]] bool wasPatched() const { return m_patched; }
     /// Whether part of it has fewer triangles since: the next sample begins with all of them.
     [[nodiscard]] bool isRough() const;
@@ -49,6 +50,8 @@ public:
     [[nodiscard]] bool has(const FrameParts& parts, bool inFull) const;
     /// It was drawn as it is. isMoving: something was over it that is elsewhere in the next picture.
     void keptShown(bool isMoving);
+    /// Its plain picture was drawn, in place of too few samples.
+    void plainShown();
     /// Now it is this one.
     void patched(const FrameParts& parts);
     /// Forgets the samples where they are of another picture than this.

@@ -201,8 +201,9 @@ Status SceneGpu::Private::drawScene(const Choice& choice, unsigned framebuffer, 
     if (refined != nullptr && refined->show(*parts, isSideBySide(view), view.detail.coarse)) {
         return showRefined(*parts, *refined, framebuffer);
     }
-    if (refined != nullptr && !isSideBySide(view) && refined->has(*parts, view.detail.isFull())) {
-        refined->keptShown(false);  // until there are samples enough
+    if (refined != nullptr && !isSideBySide(view) && !refined->isPlain() &&
+        refined->has(*parts, view.detail.isFull())) {
+        refined->plainShown();  // until there are samples enough
         return showRefined(*parts, *refined, framebuffer);
     }
     Status status = refined != nullptr && hasPlain(*parts, view, *refined)

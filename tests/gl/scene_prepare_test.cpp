@@ -182,6 +182,7 @@ void ScenePrepareTest::theNextIsRefined() {
     // Too few samples to be shown: the plain picture stays.
     QVERIFY(primitivesOf([&] { draw(true); }) < all / 4);
     QVERIFY(picture.pixels == plain.pixels);
+    QVERIFY(!refined.wasShown());
     QCOMPARE(refined.samples(), 1);
     QVERIFY(hitFront(2.0f));
     QVERIFY(m_gpu->sync().ok());  // normals have come, too
