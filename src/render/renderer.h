@@ -138,7 +138,7 @@ public:
     /// Whether refine() would first wait for what it was called for before.
     [[nodiscard]] bool isBehindRefining(const RefinedPicture& picture) const;
     /// As draw(), but of the scene what `picture` has; hasPicture() holds. What marks the scene is drawn
-    /// anew: it may be other than it was. Less than `fewest` samples, 1 or more, are not shown.
+    /// anew: it may be other than it was. Fewer than `fewest` samples, 1 or more, are not shown.
     [[nodiscard]] Status drawRefined(const Frame& frame, DeformationPipeline& pipeline,
                                      RefinedPicture& picture, GLuint framebuffer, int fewest = 1);
 

@@ -204,7 +204,9 @@ Status SceneGpu::Private::drawScene(const Choice& choice, unsigned framebuffer, 
     if (refined != nullptr && !isSideBySide(view) && !refined->isPlain() &&
         refined->has(*parts, view.detail.isFull())) {
         refined->plainShown();  // until there are samples enough
-        return showRefined(*parts, *refined, framebuffer);
+        Status status = showRefined(*parts, *refined, framebuffer);
+        meter.endOf(FrameMeter::Part::Drawing);
+        return status;
     }
     Status status = refined != nullptr && hasPlain(*parts, view, *refined)
                         ? showRefined(*parts, *refined, framebuffer)

@@ -131,9 +131,9 @@ public:
     /// readWhatIsDue() was called. Adds what is in sampleFramebuffer() to the sum. Leaves framebuffer,
     /// viewport and blending changed.
     [[nodiscard]] Status add(render::ProgramCache& programs, GLuint emptyArray);
-    /// Draws the mean, or the plain picture where there are less than `fewest` samples (1 or more), over the
-    /// whole viewport of what is bound, and
-    /// the depths where they are wanted. Leaves depth test and blending off.
+    /// Draws the mean, or the plain picture where there are fewer than `fewest` samples (1 or more), over the
+    /// whole viewport of what is bound, and the depths where they are wanted. Leaves depth test and blending
+    /// off.
     [[nodiscard]] Status draw(render::ProgramCache& programs, GLuint emptyArray, bool withDepths,
                               int fewest) const;
 
@@ -164,8 +164,7 @@ private:
     PixelArea m_taken;  ///< outside of it, the plain picture was never a mean of samples
     int m_kept = 0;     ///< samples that it is the mean of
     PixelArea m_rough;
-    std::optional<PixelArea>
-        m_unrefined;  ///< elsewhere the plain picture is refined in full; nothing: it is not
+    std::optional<PixelArea> m_unrefined;  ///< elsewhere the plain picture is refined; nothing: nowhere
     std::vector<std::uint64_t> m_moments;  ///< of the plain picture
     bool m_hasPlain = false;
     bool m_isBegun = false;
