@@ -151,7 +151,7 @@ private Q_SLOTS:
         const QString mesh = writeBytes(in("a.obj"), sheetObj(0.0, 1.0));
         const std::vector<std::pair<QString, QString>> without{
             {QStringLiteral("LIBGL_DRIVERS_PATH"), QStringLiteral("/nonexistent")},
-            {QStringLiteral("__EGL_VENDOR_LIBRARY_DIRS"), QStringLiteral("/nonexistent")}};
+            {QStringLiteral("__EGL_VENDOR_LIBRARY_FILENAMES"), QStringLiteral("/nonexistent")}};
         QCOMPARE(runCli({"convert", mesh, in("a.ply")}, without).status, 0);
         QCOMPARE(runCli({"compare", mesh, in("a.ply")}, without).status, 0);
         QCOMPARE(runCli({"section", "--plane", "x=0.3", mesh}, without).status, 0);

@@ -28,7 +28,10 @@ protected:
     void paintGL() override;
 
 private:
+    bool moveToWindow(QEvent* event);
+
     Hooks m_hooks;
+    QSurfaceFormat m_wanted;
 };
 
 }  // namespace hitscope

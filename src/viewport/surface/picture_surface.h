@@ -48,11 +48,8 @@ protected:
     PictureSurface& operator=(const PictureSurface&) = default;
 };
 
-/// In the environment: has a QOpenGLWidget show what the CPU draws, too.
-inline constexpr const char* kComposes = "HITSCOPE_COMPOSES";
-
-/// A child of `viewport`, which owns it: a QOpenGLWidget where a GPU draws (ComposedSurface), else
-/// RasterSurface. Asks the driver once (isDrawnByCpu()).
+/// A child of `viewport`, which owns it: a QOpenGLWidget where a GPU draws (ComposedSurface) or kComposes is
+/// set, else RasterSurface. Asks the driver once (isDrawnByCpu()).
 [[nodiscard]] PictureSurface& makePictureSurface(QWidget& viewport, PictureSurface::Hooks hooks);
 
 }  // namespace hitscope

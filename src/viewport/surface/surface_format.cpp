@@ -86,9 +86,9 @@ bool isDrawnByCpu() {
 }
 
 QSurfaceFormat viewportFormat() {
-    const int samples = isDrawnByCpu() ? 0 : kSamples;
+    const int samples = isDrawnByCpu() ? qEnvironmentVariableIntValue(kComposes) : kSamples;
     QSurfaceFormat format = baseSurfaceFormat();  // once the driver has been asked
-    format.setSamples(samples);
+    format.setSamples(samples > 1 ? samples : 0);
     return format;
 }
 

@@ -15,8 +15,12 @@ namespace hitscope {
 /// Whether the driver is a software renderer. Needs a QGuiApplication; asks the driver once.
 [[nodiscard]] bool isDrawnByCpu();
 
+/// In the environment: has a QOpenGLWidget show what the CPU draws, too, with that many samples a pixel.
+inline constexpr const char* kComposes = "HITSCOPE_COMPOSES";
+
 /// What the viewport draws into: the base format, and 4x multisampling where a GPU does it. A software
-/// renderer pays for every sample, so it gets one. Needs a QGuiApplication; asks the driver once.
+/// renderer pays for every sample, so it gets one (or kComposes). Needs a QGuiApplication; asks the driver
+/// once.
 [[nodiscard]] QSurfaceFormat viewportFormat();
 
 /// Whether there is OpenGL 3.3 here at all. Ask before making a Viewport: where there is none, Qt's OpenGL
