@@ -75,12 +75,12 @@ Image RenderTarget::read() const {
     return image;
 }
 
-void RenderTarget::readBlueFirst(std::uint8_t* pixels) const {
+void readBlueFirst(GLuint framebuffer, int width, int height, std::uint8_t* pixels) {
     const KeepFramebuffers keep;
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, m_framebuffer.id());
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    glReadPixels(0, 0, m_width, m_height, GL_BGRA, GL_UNSIGNED_BYTE, pixels);
-    flipRows(pixels, m_width, m_height);
+    glReadPixels(0, 0, width, height, GL_BGRA, GL_UNSIGNED_BYTE, pixels);
+    flipRows(pixels, width, height);
 }
 
 void RenderTarget::enlargeInto(GLuint framebuffer, int width, int height) const {

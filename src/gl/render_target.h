@@ -27,6 +27,10 @@ private:
     GLint m_read = 0;
 };
 
+/// Reads the colours of a framebuffer without samples, width x height pixels, as rows from top to bottom of
+/// blue, green, red and alpha, into 4 * width * height bytes: what windows are made of. Waits for the GPU.
+void readBlueFirst(GLuint framebuffer, int width, int height, std::uint8_t* pixels);
+
 /// A framebuffer with an 8-bit RGBA colour buffer and a depth buffer, to draw pictures without a window.
 class RenderTarget {
 public:
@@ -42,9 +46,6 @@ public:
     [[nodiscard]] int height() const { return m_height; }
     /// Resolves samples and reads the colours; waits for the GPU.
     [[nodiscard]] Image read() const;
-    /// Reads the colours of one without samples as rows from top to bottom of blue, green, red and alpha,
-    /// into 4 * width * height bytes: what windows are made of. Waits for the GPU.
-    void readBlueFirst(std::uint8_t* pixels) const;
     /// Puts its colours into a framebuffer object of that size (0: the default framebuffer), smoothly
     /// enlarged. For one without samples.
     void enlargeInto(GLuint framebuffer, int width, int height) const;

@@ -141,6 +141,8 @@ public:
     /// anew: it may be other than it was. Fewer than `fewest` samples, 1 or more, are not shown.
     [[nodiscard]] Status drawRefined(const Frame& frame, DeformationPipeline& pipeline,
                                      RefinedPicture& picture, GLuint framebuffer, int fewest = 1);
+    /// Whether that would draw what picture.plainFramebuffer() has from now on, and nothing over it.
+    [[nodiscard]] Result<bool> isPlainShown(const Frame& frame, RefinedPicture& picture, int fewest);
 
 private:
     Renderer();

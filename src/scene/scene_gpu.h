@@ -87,8 +87,9 @@ public:
     /// its detail is.
     [[nodiscard]] std::pair<int, int> aheadSize() const;
     /// Reads it as rows from top to bottom of blue, green, red and alpha, one byte each, into 4 * width *
-    /// height bytes. Waits until it is finished.
-    void readAhead(std::uint8_t* pixels);
+    /// height bytes. Waits until it is finished. False: there is none, or it was in another refined picture
+    /// than this one.
+    [[nodiscard]] bool readAhead(std::uint8_t* pixels, RefinedView* refined);
     /// Whether the last picture drew any target with fewer triangles; where one looks from close by it need
     /// not.
     [[nodiscard]] bool wasCoarse() const;

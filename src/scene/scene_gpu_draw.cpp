@@ -169,7 +169,19 @@ Result<SceneGpu::Private::Choice> SceneGpu::Private::beginPicture(const View& sh
 }
 
 /// Without samples of which the noise would be seen.
-Status SceneGpu::Private::showRefined(const FrameParts& parts, RefinedView& refined, unsigned framebuffer) {
+Status SceneGpu::Private::showRefined(const Choice& choice, const FrameParts& parts, RefinedView& refined,
+                                      unsigned framebuffer) {
+    if (choice.isAhead) {
+        const Result<bool> isThere =
+            renderer->isPlainShown(parts.frame, refined.picture(), RefinedView::kFewestShown);
+        if (!isThere) {
+            return isThere.error();
+        }
+        if (isThere.value()) {
+            aheadIn = &refined;
+            return Done{};
+        }
+    }
     return renderer->drawRefined(parts.frame, *pipeline, refined.picture(), framebuffer,
                                  RefinedView::kFewestShown);
 }
@@ -181,7 +193,7 @@ Status SceneGpu::Private::drawPatched(const Choice& choice, unsigned framebuffer
         return status;
     }
     refined.patched(*parts);
-    return showRefined(*parts, refined, framebuffer);
+    return showRefined(choice, *parts, refined, framebuffer);
 }
 
 Status SceneGpu::Private::drawScene(const Choice& choice, unsigned framebuffer, RefinedView* refined) {
@@ -194,22 +206,22 @@ Status SceneGpu::Private::drawScene(const Choice& choice, unsigned framebuffer, 
     const std::unique_ptr<FrameParts> parts = frameOf(view);
     if (choice.isKept) {
         refined->keptShown(view.projectilesFly);
-        Status status = showRefined(*parts, *refined, framebuffer);
+        Status status = showRefined(choice, *parts, *refined, framebuffer);
         meter.endOf(FrameMeter::Part::Drawing);
         return status;
     }
     if (refined != nullptr && refined->show(*parts, isSideBySide(view), view.detail.coarse)) {
-        return showRefined(*parts, *refined, framebuffer);
+        return showRefined(choice, *parts, *refined, framebuffer);
     }
     if (refined != nullptr && !isSideBySide(view) && !refined->isPlain() &&
         refined->has(*parts, view.detail.isFull())) {
         refined->plainShown();  // until there are samples enough
-        Status status = showRefined(*parts, *refined, framebuffer);
+        Status status = showRefined(choice, *parts, *refined, framebuffer);
         meter.endOf(FrameMeter::Part::Drawing);
         return status;
     }
     Status status = refined != nullptr && hasPlain(*parts, view, *refined)
-                        ? showRefined(*parts, *refined, framebuffer)
+                        ? showRefined(choice, *parts, *refined, framebuffer)
                         : drawAll(parts->frame, view, framebuffer);
     meter.endOf(FrameMeter::Part::Drawing);
     return status;
@@ -248,6 +260,8 @@ Result<bool> SceneGpu::drawAhead(const View& shown, RefinedView* refined) {
     }
     Private::Choice choice = std::move(begun).value();
     choice.view = d->drawnView(choice.view);
+    choice.isAhead = true;
+    d->aheadIn = nullptr;
     if (!d->makeOwn(choice.view)) {
         d->meter.end();
         return false;
@@ -267,11 +281,18 @@ std::pair<int, int> SceneGpu::aheadSize() const {
     return d->ownTarget ? std::pair(d->ownTarget->width(), d->ownTarget->height()) : std::pair(0, 0);
 }
 
-void SceneGpu::readAhead(std::uint8_t* pixels) {
+bool SceneGpu::readAhead(std::uint8_t* pixels, RefinedView* refined) {
     d->ahead.reset();
-    if (d->ownTarget) {
-        d->ownTarget->readBlueFirst(pixels);
+    if (d->aheadIn != refined && d->aheadIn != nullptr) {
+        return false;
     }
+    const unsigned framebuffer = d->aheadIn != nullptr ? refined->picture().plainFramebuffer()
+                                 : d->ownTarget        ? d->ownTarget->framebuffer()
+                                                       : 0;
+    if (framebuffer != 0) {
+        gl::readBlueFirst(framebuffer, d->ownTarget->width(), d->ownTarget->height(), pixels);
+    }
+    return framebuffer != 0;
 }
 
 Status SceneGpu::refine(const View& view, RefinedView& refined) {

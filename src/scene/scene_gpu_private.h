@@ -67,8 +67,9 @@ struct SceneGpu::Private {
     ChangeUpload secondUpload;
     // For pictures that are drawn smaller than they are shown, or before they are shown; null: none so far.
     std::unique_ptr<gl::RenderTarget> ownTarget;
-    std::optional<gl::Fence> ahead;                // after the picture in it that is not shown yet
-    std::unique_ptr<TaskProgress> appending;       // null: no long row of new hits is applied in slices
+    std::optional<gl::Fence> ahead;           // after the picture ahead that is not shown yet
+    const RefinedView* aheadIn = nullptr;     // it is in this one, with nothing over it; null: in ownTarget
+    std::unique_ptr<TaskProgress> appending;  // null: no long row of new hits is applied in slices
     std::unique_ptr<Reapplication> reapplication;  // null: nothing is applied again in slices
 
     bool appliesBetweenPictures = false;
@@ -131,6 +132,7 @@ struct SceneGpu::Private {
         View view;                          ///< with all pixels, where it is patched or kept
         std::optional<PicturePatch> patch;  ///< of `refined`; nothing: it is drawn anew
         bool isKept = false;                ///< `refined` has it
+        bool isAhead = false;               ///< it may stay there: where it is drawn, nothing is shown
     };
     [[nodiscard]] Choice choose(const View& shown, RefinedView* refined);
     /// Follows the session; the meter measures until drawPicture() has ended.
@@ -138,7 +140,8 @@ struct SceneGpu::Private {
     /// What draw() says, with the pixels of `choice.view`.
     [[nodiscard]] Status drawPicture(const Choice& choice, unsigned framebuffer, RefinedView* refined);
     [[nodiscard]] Status drawScene(const Choice& choice, unsigned framebuffer, RefinedView* refined);
-    [[nodiscard]] Status showRefined(const FrameParts& parts, RefinedView& refined, unsigned framebuffer);
+    [[nodiscard]] Status showRefined(const Choice& choice, const FrameParts& parts, RefinedView& refined,
+                                     unsigned framebuffer);
     [[nodiscard]] Status drawPatched(const Choice& choice, unsigned framebuffer, RefinedView& refined);
 };
 

@@ -44,6 +44,10 @@ AimPreview::AimPreview(Session& session, Viewport& viewport)
     connect(&viewport.navigation(), &Navigation::cameraChanged, this, &AimPreview::wait);
     connect(&viewport, &Viewport::optionsChanged, this, &AimPreview::wait);
     connect(&session.readBack(), &ReadBack::meshChanged, this, &AimPreview::wait);
+    // The next picture shows it, before what has moved is read back.
+    connect(&session.hits(), &SessionHits::appended, this, &AimPreview::wait);
+    connect(&session.hits(), &SessionHits::reset, this, &AimPreview::wait);
+    connect(&session.hits(), &SessionHits::shownChanged, this, &AimPreview::wait);
     connect(&session.targets(), &SessionTargets::added, this, &AimPreview::wait);
     connect(&session.targets(), &SessionTargets::removed, this, &AimPreview::wait);
     connect(&session.targets(), &SessionTargets::changed, this, &AimPreview::wait);

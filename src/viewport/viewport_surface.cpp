@@ -140,7 +140,9 @@ void Viewport::readKept(SceneGpu& scene) {
     if (m_kept.size() != QSize(width, height)) {
         m_kept = QImage(width, height, QImage::Format_RGB32);
     }
-    scene.readAhead(m_kept.bits());
+    if (!scene.readAhead(m_kept.bits(), m_refiner.view())) {
+        m_kept = QImage();  // it is drawn anew where the window is painted
+    }
     const SceneGpu::View shown = view();
     m_keptFor = QSize(shown.width, shown.height);
     pictureComplete();

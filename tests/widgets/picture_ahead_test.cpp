@@ -2,8 +2,10 @@
 // A widget whose pictures are drawn ahead: events are seen to meanwhile, and no picture is lost or shown
 // late.
 #include <QApplication>
+#include <QThread>
 #include <QTimer>
 #include <QVBoxLayout>
+#include <functional>
 #include <memory>
 #include <utility>
 
@@ -15,10 +17,18 @@ namespace hitscope::picture_ahead_test {
 /// Counts what is asked of it; a picture is finished when the test says so.
 class Canvas : public QWidget {
 public:
-    PictureAhead ahead{{.prepare = [this] { return partsLeft-- <= 0; },
+    PictureAhead ahead{{.prepare =
+                            [this] {
+                                if (partsLeft-- > 0) {
+                                    QThread::msleep(kLongPart);
+                                    return false;
+                                }
+                                return true;
+                            },
                         .begin =
                             [this] {
                                 ++begun;
+                                toldBegun();
                                 return mayBegin;
                             },
                         .isFinished = [this] { return isFinished; },
@@ -33,6 +43,8 @@ public:
                                 paintsItself = true;
                                 update();
                             }}};
+    static constexpr unsigned long kLongPart = 6;  // milliseconds; a turn ends after five
+    std::function<void()> toldBegun = [] {};
     int partsLeft = 0;  ///< before each picture
     int begun = 0;
     int shown = 0;  ///< pictures drawn ahead
@@ -68,6 +80,7 @@ private Q_SLOTS:
     void whatIsWantedMeanwhileFollows();
     void grabbedPicturesAreOfNow();
     void eventsComeBetweenParts();
+    void beginsBeforeOthersPaint();
     void droppedOnesAreNotShown();
     void theWindowPaintsMeanwhile();
     void hiddenOnesDoNotHoldTheNext();
@@ -164,6 +177,28 @@ void PictureAheadTest::eventsComeBetweenParts() {
     QVERIFY2(turns >= 15, qPrintable(QString::number(turns)));
     m_canvas->isFinished = true;
     QTRY_VERIFY(m_canvas->shown > 0);
+}
+
+/// They paint while it is drawn.
+void PictureAheadTest::beginsBeforeOthersPaint() {
+    struct Watch : QObject {
+        int paints = 0;
+        bool eventFilter(QObject* /*watched*/, QEvent* event) override {
+            paints += event->type() == QEvent::Paint ? 1 : 0;
+            return false;
+        }
+    } watch;
+    m_beside->installEventFilter(&watch);
+    int paintsBefore = -1;
+    m_canvas->toldBegun = [&] { paintsBefore = watch.paints; };
+    m_beside->update();
+    m_canvas->ahead.want();
+    QTRY_COMPARE(m_canvas->begun, 1);
+    QCOMPARE(paintsBefore, 0);
+    QTRY_VERIFY(watch.paints > 0);
+    m_canvas->toldBegun = [] {};
+    m_canvas->isFinished = true;
+    QTRY_COMPARE(m_canvas->shown, 1);
 }
 
 void PictureAheadTest::droppedOnesAreNotShown() {

@@ -31,6 +31,7 @@ private Q_SLOTS:
     void restingCursorForetells();
     void previewCanBeTurnedOff();
     void previewGoesWhereAHandleIs();
+    void previewGoesWithAnEdit();
     void fewVerticesAreRefinedAtTheAim();
     void burstFromTheDialog();
     void sequenceAlongALine();
@@ -117,6 +118,24 @@ void ShotsTest::previewGoesWhereAHandleIs() {
     QVERIFY(!label().isVisible());
     moveTo(m_window->viewport().rect().center());
     QTRY_VERIFY_WITH_TIMEOUT(label().isVisible(), kPatience);
+}
+
+/// The next picture shows the hit: what a shot would have made before is not over it.
+void ShotsTest::previewGoesWithAnEdit() {
+    const SceneDecorations& decorations = m_window->viewport().decorations();
+    Hit hit;
+    hit.target = m_session->targets().front()->id;
+    for (const bool isUndo : {false, true}) {
+        moveTo(m_window->viewport().rect().center());
+        QTRY_VERIFY_WITH_TIMEOUT(decorations.ghost() != nullptr, kPatience);
+        if (isUndo) {
+            m_session->undo();
+        } else {
+            QVERIFY(m_session->hits().add(hit).ok());
+        }
+        QVERIFY(decorations.ghost() == nullptr);
+        QVERIFY(!label().isVisible());
+    }
 }
 
 void ShotsTest::fewVerticesAreRefinedAtTheAim() {

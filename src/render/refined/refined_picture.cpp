@@ -335,7 +335,7 @@ Status RefinedPicture::draw(render::ProgramCache& programs, GLuint emptyArray, b
     glDepthMask(withDepths ? GL_TRUE : GL_FALSE);
     Status drawn = drawOne(programs, emptyArray, false, withDepths);
     glDepthMask(GL_FALSE);
-    if (drawn && m_samples >= fewest && m_kept != m_samples) {
+    if (drawn && !isPlainShown(fewest)) {
         drawn = drawOne(programs, emptyArray, true, false);
     }
     glDepthMask(GL_TRUE);

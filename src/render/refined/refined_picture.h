@@ -73,6 +73,8 @@ public:
     /// Where there are samples enough, the plain picture becomes their mean: showing it again takes half the
     /// time, and what is patched stays as it was shown. Leaves framebuffer, viewport and blending changed.
     [[nodiscard]] Status keepMean(render::ProgramCache& programs, GLuint emptyArray);
+    /// Whether draw() would draw the plain picture: there are fewer samples, or it is their mean.
+    [[nodiscard]] bool isPlainShown(int fewest) const { return m_samples < fewest || m_kept == m_samples; }
     /// A part of plainFramebuffer() was drawn again: there are no samples, and the picture has the targets at
     /// these moments. Where it was refined in full before, only what differs is refined again.
     void patched(const PicturePatch& patch, std::vector<std::uint64_t> moments);

@@ -266,6 +266,17 @@ bool Renderer::isBehindRefining(const RefinedPicture& picture) const {
            !(waitsForAll ? d->refining.back() : d->refining.front()).isPassed();
 }
 
+Result<bool> Renderer::isPlainShown(const Frame& frame, RefinedPicture& picture, int fewest) {
+    if (!picture.hasPicture() || hasOverlays(frame) || frame.options.crosshair) {
+        return false;
+    }
+    const KeepState keep;
+    if (const Status kept = picture.keepMean(d->programs, d->emptyArray.id()); !kept) {
+        return kept.error();
+    }
+    return picture.isPlainShown(fewest);
+}
+
 Status Renderer::drawRefined(const Frame& given, DeformationPipeline& pipeline, RefinedPicture& picture,
                              GLuint framebuffer, int fewest) {
     if (given.width <= 0 || given.height <= 0 || !picture.hasPicture()) {

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewport/surface/picture_ahead.h"
 
+#include <QElapsedTimer>
 #include <utility>
 
 namespace hitscope {
 
 namespace {
 
-constexpr int kLookApart = 1;  // milliseconds
+constexpr int kLookApart = 1;    // milliseconds
+constexpr qint64 kLongTurn = 5;  // milliseconds; then events are seen to before more is prepared
 
 }  // namespace
 
@@ -33,8 +35,16 @@ void PictureAhead::want() {
         return;
     }
     m_isWanted = true;
-    if (m_state == State::Nothing && !m_timer.isActive()) {
-        m_timer.start(0);
+    if (m_state == State::Nothing && !m_timer.isActive() && !m_isDue) {
+        // Before anything is painted, while a timer without time would come after it.
+        m_isDue = true;
+        QMetaObject::invokeMethod(
+            this,
+            [this] {
+                m_isDue = false;
+                goOn();
+            },
+            Qt::QueuedConnection);
     }
 }
 
@@ -62,9 +72,20 @@ void PictureAhead::shown() {
     }
 }
 
+bool PictureAhead::prepare() {
+    QElapsedTimer turn;
+    turn.start();
+    while (!m_hooks.prepare()) {
+        if (turn.elapsed() >= kLongTurn) {
+            return false;
+        }
+    }
+    return true;
+}
+
 void PictureAhead::goOn() {
     if (m_state == State::Nothing && m_isWanted) {
-        if (!m_hooks.prepare()) {
+        if (!prepare()) {
             m_timer.start(0);
             return;
         }

@@ -44,12 +44,15 @@ private:
     enum class State : std::uint8_t { Nothing, Drawing, Showing };
 
     void goOn();
+    /// What fits into a turn; false: a part is left.
+    [[nodiscard]] bool prepare();
 
     Hooks m_hooks;
     QTimer m_timer;  ///< to begin one, or to look whether what is under way is finished
     State m_state = State::Nothing;
     bool m_isOn = false;
     bool m_isWanted = false;
+    bool m_isDue = false;  ///< a call of goOn() comes, right after the event that wanted it
 };
 
 }  // namespace hitscope
