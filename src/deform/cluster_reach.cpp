@@ -40,6 +40,12 @@ bool holds(const Bounds& box, const Bounds& other) {
            glm::all(glm::greaterThanEqual(box.max, other.max));
 }
 
+/// Empty: there is nothing that both hold.
+Bounds common(const Bounds& a, const Bounds& b) {
+    const Bounds both{glm::max(a.min, b.min), glm::min(a.max, b.max)};
+    return glm::any(glm::greaterThan(both.min, both.max)) ? Bounds{} : both;
+}
+
 bool isSame(const Bounds& a, const Bounds& b) {
     return a.min == b.min && a.max == b.max;
 }
@@ -99,7 +105,11 @@ void ClusterReach::forgetMoved() {
     m_movedFrom = newMoments();
 }
 
-void ClusterReach::noteMoved(const Bounds& box) {
+void ClusterReach::noteMoved(const Bounds& place) {
+    const Bounds box = m_movedWithin ? common(place, *m_movedWithin) : place;
+    if (box.empty()) {
+        return;
+    }
     if (m_moved.size() == kMostMoved) {
         forgetMoved();
     }
@@ -169,8 +179,9 @@ void ClusterReach::grow(std::uint32_t cluster, const Hit& hit) {
     m_reached[cluster] = true;
     noteChanged(cluster);
     const std::size_t leaf = m_leaves + cluster;
-    enlarge(m_now, leaf, grownBy(m_now[leaf], hit));
-    noteMoved(nodeBounds(leaf));
+    const Bounds moved = movedBy(m_now[leaf], hit);
+    enlarge(m_now, leaf, moved);
+    noteMoved(moved);
 }
 
 void ClusterReach::advance(const Hit& hit, std::vector<std::uint32_t>& reached) {
@@ -269,7 +280,7 @@ void ClusterReach::place(std::uint32_t first, std::span<const DynamicVertex> ver
         Bounds box = around(vertices.subspan(begin - first, count));
         for (const Hit& hit : since) {
             if (reaches(reachOf(hit), box)) {
-                box = grownBy(box, hit);
+                box.add(movedBy(box, hit));
             }
         }
         if (count < cluster.count) {

@@ -73,6 +73,9 @@ public:
     /// Whether everReached() may find any.
     [[nodiscard]] bool mayEverReach(const Hit& hit) const;
 
+    /// Until the next call: whatever is told to have moved comes out as it was outside of this box. Nothing:
+    /// anywhere.
+    void limitMoved(const std::optional<Bounds>& within) { m_movedWithin = within; }
     /// All clusters, or these, are back at their original.
     void restart();
     void restart(std::span<const std::uint32_t> clusters);
@@ -104,7 +107,7 @@ private:
     void noteChanged(std::uint32_t cluster);
     void makeOriginal(std::uint32_t cluster);
     void replace(std::uint32_t cluster, const Bounds& box);
-    void noteMoved(const Bounds& box);
+    void noteMoved(const Bounds& place);
     void forgetMoved();
     static void refit(Tree& tree, std::size_t leaf);
     static void enlarge(Tree& tree, std::size_t leaf, const Bounds& box);
@@ -119,6 +122,7 @@ private:
     Tree m_ever;  ///< where a box of m_now was before it was drawn tight; with that one, every place
     std::vector<Bounds> m_moved;    ///< in the order in which they did
     std::uint64_t m_movedFrom = 0;  ///< moment() before the first of these
+    std::optional<Bounds> m_movedWithin;
 };
 
 }  // namespace hitscope

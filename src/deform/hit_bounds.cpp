@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/vector_relational.hpp>
 
 #include "deform/dent_shape.h"
 
@@ -75,12 +76,15 @@ bool reaches(const HitReach& hit, const Bounds& box) {
     return distanceSquared(box, hit.centre) <= reach * reach;
 }
 
-Bounds grownBy(const Bounds& box, const Hit& hit) {
+Bounds movedBy(const Bounds& box, const Hit& hit) {
     const HitReach sphere = reachOf(hit);
     const float reach = withRounding(sphere.radius);
     Bounds part;
     part.min = glm::max(box.min, sphere.centre - reach);
     part.max = glm::min(box.max, sphere.centre + reach);
+    if (glm::any(glm::greaterThan(part.min, part.max))) {
+        return {};
+    }
     const float nearest = std::sqrt(distanceSquared(box, sphere.centre)) * (1.0f - 2.0f * kRounding);
     const Push push = pushWithin(hit, part, nearest, reach);
     const float slack = kRounding * (std::max({largestCoordinate(part.min), largestCoordinate(part.max),
@@ -89,11 +93,35 @@ Bounds grownBy(const Bounds& box, const Hit& hit) {
     const glm::vec3 direction = pushOf(hit);
     const glm::vec3 shortest = direction * push.least;
     const glm::vec3 longest = direction * push.most;
-    part.min += glm::min(shortest, longest) - slack;
-    part.max += glm::max(shortest, longest) + slack;
-    Bounds grown = box;
-    grown.add(part);
-    return grown;
+    Bounds moved = part;
+    moved.add(Bounds{part.min + glm::min(shortest, longest) - slack,
+                     part.max + glm::max(shortest, longest) + slack});
+    return moved;
+}
+
+std::optional<Bounds> changedBy(std::span<const Hit> before, std::span<const Hit> after,
+                                std::span<const Hit> later) {
+    constexpr std::size_t kMost = 256;  // hits
+    if (before.size() + after.size() + later.size() > kMost) {
+        return std::nullopt;
+    }
+    Bounds all;
+    for (const std::span<const Hit> some : {before, after}) {
+        Bounds box;
+        for (const Hit& hit : some) {
+            const HitReach sphere = reachOf(hit);
+            const float reach = withRounding(sphere.radius);
+            box.add(Bounds{sphere.centre - reach, sphere.centre + reach});
+            box.add(movedBy(box, hit));
+        }
+        all.add(box);
+    }
+    for (const Hit& hit : later) {
+        if (reaches(reachOf(hit), all)) {
+            all.add(movedBy(all, hit));
+        }
+    }
+    return all;
 }
 
 }  // namespace hitscope

@@ -3,6 +3,8 @@
 
 #include <glm/common.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
+#include <span>
 
 #include "core/bounds.h"
 #include "deform/hit.h"
@@ -20,7 +22,12 @@ struct HitReach;
 }
 /// Whether there may be a vertex in the box that the hit moves.
 [[nodiscard]] bool reaches(const HitReach& hit, const Bounds& box);
-/// `box` and wherever the hit may move what lies within it. The part within reach moves along the direction.
-[[nodiscard]] Bounds grownBy(const Bounds& box, const Hit& hit);
+/// Wherever vertices in the box that the hit moves are before it and after it; empty: it moves none. They are
+/// within reach before, and move along the direction.
+[[nodiscard]] Bounds movedBy(const Bounds& box, const Hit& hit);
+/// Wherever vertices are that come out otherwise where `after` takes the place of `before` and the hits
+/// `later` follow either: as they were and as they are. Nothing: these are too many to tell it in no time.
+[[nodiscard]] std::optional<Bounds> changedBy(std::span<const Hit> before, std::span<const Hit> after,
+                                              std::span<const Hit> later);
 
 }  // namespace hitscope

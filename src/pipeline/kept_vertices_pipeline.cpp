@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "deform/hit_bounds.h"
+
 namespace hitscope {
 
 namespace {
@@ -55,9 +57,14 @@ void KeptVerticesPipeline::follow(const HistoryEdit& edit) {
 void KeptVerticesPipeline::change(TargetState& target, const TargetHitsEdit& edit) {
     if (edit.before.empty() && edit.first + edit.after.size() == m_hits.of(target.id).size()) {
         append(target, edit.first, Arrival::Live);
-    } else if (!goBack(target, edit)) {
+        return;
+    }
+    target.reach.limitMoved(
+        changedBy(edit.before, edit.after, m_hits.of(target.id).subspan(edit.first + edit.after.size())));
+    if (!goBack(target, edit)) {
         redo(target, edit);
     }
+    target.reach.limitMoved(std::nullopt);
 }
 
 /// Applies the target's hits [firstHit, ...), which come after all those before.

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "deform/hit_bounds.h"
 #include "pipeline/hit_rooms.h"
 
 namespace hitscope {
@@ -250,12 +251,14 @@ void UniformArrayPipeline::reconsider(TargetState& target, std::span<const Hit> 
     ++target.epoch;
     const std::vector<std::uint32_t> concerned = target.reach.everReached(changed);
     target.unread.add(target.reach.rangesOf(concerned));
+    target.reach.limitMoved(changedBy(changed, {}, hitsOf(target.kept)));
     target.reach.restart(concerned);
     std::vector<std::uint32_t> reached;
     for (const KeptHit& hit : target.kept) {
         reached.clear();
         target.reach.advanceWithin(concerned, hit.hit, reached);
     }
+    target.reach.limitMoved(std::nullopt);
 }
 
 /// A target's hits stand together, in their order; targets do not influence one another. As the paper has it

@@ -32,4 +32,9 @@ struct PixelArea {
     return {x, y, std::max(a.x + a.width, b.x + b.width) - x, std::max(a.y + a.height, b.y + b.height) - y};
 }
 
+/// With so many pixels more on all sides.
+[[nodiscard]] inline PixelArea widened(const PixelArea& area, int by) {
+    return {area.x - by, area.y - by, area.width + 2 * by, area.height + 2 * by};
+}
+
 }  // namespace hitscope

@@ -40,6 +40,8 @@ struct DrawItem {
     bool original = false;  ///< drawn as it was, whatever the pipeline
     /// ClusterReach::moment() at which the shading normals followed all that has moved; 0: not known.
     std::uint64_t settled = 0;
+    /// Where its vertices were then, or later; none: not known.
+    std::span<const DynamicVertex> vertices{};
 };
 
 /// The triangles of a target that a frame draws: the coarse ones where it may and there are any.

@@ -116,6 +116,7 @@ std::vector<DrawItem> SceneGpu::Private::drawItems() const {
                              target->id == session.targets().selected() && session.targets().size() > 1,
                              &gpu->second.changed});
             items.back().settled = gpu->second.settled;
+            items.back().vertices = target->deformed.vertices();
         }
     }
     return items;

@@ -72,6 +72,13 @@ private:
         m_view.isAtRest = true;
         QVERIFY(m_gpu->sync().ok());
     }
+    /// With many triangles in a dent.
+    void openLarge() {
+        open(400);
+        m_view.width *= 2;
+        m_view.height *= 2;
+        m_dent = 2.0f;
+    }
     [[nodiscard]] Image draw() { return drawn(*m_gpu, m_view, m_refined.get()); }
     /// By one that has nothing to patch.
     [[nodiscard]] Image drawAnew() { return drawn(*m_gpu, m_view); }
@@ -300,8 +307,7 @@ void ScenePatchTest::aRefinedPictureStays() {
                                                   : isNeither)++;
     }
     QCOMPARE(isNeither, std::size_t{0});
-    QVERIFY(isPlain > 0);
-    QVERIFY(isRefined > 8 * patched.pixels.size() / 10);
+    QVERIFY(isPlain > 0 && isRefined > 8 * patched.pixels.size() / 10);
 }
 
 /// With its soft shadows and occlusion, and both dents where the second comes before the first is refined.
@@ -336,9 +342,7 @@ void ScenePatchTest::onlyWhatDiffersIsRefinedAgain() {
 
 /// And refining begins with all triangles there.
 void ScenePatchTest::hurriedOnesAreRough() {
-    open(400);
-    m_view.width *= 2;
-    m_view.height *= 2;
+    openLarge();
     static_cast<void>(draw());
     for (const bool isUndone : {false, true}) {
         if (isUndone) {
@@ -369,9 +373,7 @@ void ScenePatchTest::hurriedOnesAreRough() {
 
 /// Another hit may come before all triangles are there, and a picture that has to have them all.
 void ScenePatchTest::roughOnesArePatched() {
-    open(400);
-    m_view.width *= 2;
-    m_view.height *= 2;
+    openLarge();
     static_cast<void>(draw());
     m_view.detail.coarse = true;
     QVERIFY(hit({1.2f, 5.7f, 1.6f}).ok());
@@ -384,12 +386,10 @@ void ScenePatchTest::roughOnesArePatched() {
     QVERIFY(hit({-3.0f, 3.0f, 4.2f}).ok());
     QVERIFY(m_gpu->sync().ok());
     static_cast<void>(draw());
-    QVERIFY(m_refined->wasPatched() && m_refined->hasPicture());
-    QVERIFY(m_refined->isRough());
+    QVERIFY(m_refined->wasPatched() && m_refined->hasPicture() && m_refined->isRough());
     m_view.detail = {};
     const Image whole = draw();
-    QVERIFY(m_refined->wasPatched());
-    QVERIFY(m_refined->isWhole());
+    QVERIFY(m_refined->wasPatched() && m_refined->isWhole());
     QVERIFY(isAlike(whole, drawAgain()));
 }
 

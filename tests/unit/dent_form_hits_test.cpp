@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <glm/vector_relational.hpp>
+#include <initializer_list>
 
 #include "deform/dent_form_text.h"
 #include "deform/fingerprint.h"
+#include "deform/hit_bounds.h"
 #include "deform/reference.h"
 #include "deform_support.h"
 #include "dent_form_support.h"
@@ -17,11 +20,43 @@ namespace hitscope::dent_form_hits_test {
 
 using namespace test;
 
+namespace {
+
+bool isWithin(const glm::vec3& point, const Bounds& box) {
+    return glm::all(glm::lessThanEqual(box.min, point)) && glm::all(glm::lessThanEqual(point, box.max));
+}
+
+/// After all of these hits.
+std::vector<DynamicVertex> deformed(const RenderMesh& mesh,
+                                    std::initializer_list<std::span<const Hit>> parts) {
+    std::vector<DynamicVertex> vertices(mesh.vertices.begin(), mesh.vertices.end());
+    for (const std::span<const Hit> part : parts) {
+        for (const Hit& hit : part) {
+            for (DynamicVertex& vertex : vertices) {
+                deform(vertex.position, vertex.normal, hit);
+            }
+        }
+    }
+    return vertices;
+}
+
+std::vector<Hit> anyHits(std::mt19937& random, std::size_t count) {
+    std::vector<Hit> hits;
+    for (std::size_t i = 0; i < count; ++i) {
+        hits.push_back(anyHit(random, random() % 7));
+    }
+    return hits;
+}
+
+}  // namespace
+
 class DentFormHitsTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void reachHoldsWhatMoves();
     void boxesHoldWhatIsMoved();
+    void movedBoxesHoldBeforeAndAfter();
+    void editsChangeNothingElsewhere();
     void referenceEqualsThePlainLoop();
     void contributionIsWhatDeformAdds();
 };
@@ -63,6 +98,58 @@ void DentFormHitsTest::boxesHoldWhatIsMoved() {
             }
         }
     }
+}
+
+void DentFormHitsTest::movedBoxesHoldBeforeAndAfter() {
+    const RenderMesh mesh = buildRenderMesh(makeGeodesicSphere(12, 1.0f));
+    std::mt19937 random(3);
+    ClusterReach reach(mesh.clusters);
+    std::vector<DynamicVertex> vertices(mesh.vertices.begin(), mesh.vertices.end());
+    for (std::size_t i = 0; i < 200; ++i) {
+        const Hit hit = anyHit(random, i);
+        const std::uint64_t moment = reach.moment();
+        std::vector<std::uint32_t> reached;
+        reach.advance(hit, reached);
+        const auto moved = reach.movedSince(moment);
+        QVERIFY(moved.has_value());
+        for (DynamicVertex& vertex : vertices) {
+            const glm::vec3 before = vertex.position;
+            deform(vertex.position, vertex.normal, hit);
+            QVERIFY(vertex.position == before ||
+                    std::any_of(moved->begin(), moved->end(), [&](const Bounds& box) {
+                        return isWithin(before, box) && isWithin(vertex.position, box);
+                    }));
+        }
+    }
+}
+
+/// Wherever in a history hits are taken out or put in.
+void DentFormHitsTest::editsChangeNothingElsewhere() {
+    const RenderMesh mesh = buildRenderMesh(makeGeodesicSphere(12, 1.0f));
+    std::mt19937 random(23);
+    std::size_t changed = 0;
+    std::size_t outside = 0;
+    for (std::size_t i = 0; i < 150; ++i) {
+        const std::vector<Hit> first = anyHits(random, i % 4);
+        const std::vector<Hit> before = anyHits(random, i % 3);
+        const std::vector<Hit> after = anyHits(random, i % 3 == 0 ? 1 : i % 2);
+        const std::vector<Hit> later = anyHits(random, i % 5);
+        const auto box = changedBy(before, after, later);
+        QVERIFY(box.has_value());
+        const std::vector<DynamicVertex> was = deformed(mesh, {first, before, later});
+        const std::vector<DynamicVertex> is = deformed(mesh, {first, after, later});
+        for (std::size_t v = 0; v < was.size(); ++v) {
+            if (was[v].position != is[v].position) {
+                ++changed;
+                QVERIFY(isWithin(was[v].position, *box) && isWithin(is[v].position, *box));
+            } else if (!isWithin(is[v].position, *box)) {
+                ++outside;
+            }
+        }
+    }
+    QVERIFY2(changed > 1000 && outside > 10'000,
+             qPrintable(QStringLiteral("%1 %2").arg(changed).arg(outside)));
+    QVERIFY(!changedBy(anyHits(random, 2000), {}, {}).has_value());
 }
 
 /// So that no cluster is left out that a hit of any form reaches or pushes there.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/vector_relational.hpp>
 
+#include "render/refined/refined_picture.h"
 #include "render/refined/varying_area.h"
 #include "render/seen_area.h"
 #include "render/shadow_map.h"
@@ -16,6 +17,8 @@ namespace {
 
 constexpr float kLineReach = 4.0f;        // logical pixels that lines are wide, and more
 constexpr std::size_t kMostBoxes = 2048;  // that are looked at one by one: some milliseconds
+/// Pixels: how far the light at the floor is smoothed.
+constexpr int kFloorOpenReach = 2 * RefinedPicture::kFloorOpenStep + 2;
 
 /// Whether anything but surfaces, their edges and shadows depends on where vertices are, or surfaces are
 /// drawn elsewhere.
@@ -39,16 +42,49 @@ Bounds around(std::span<const Bounds> boxes) {
     return all;
 }
 
-/// Boxes of all triangles that have a corner in one of these.
-std::vector<Bounds> trianglesAt(std::span<const Bounds> places, const ClusterBoxes& boxes,
-                                const ClusterRuns& runs) {
+/// Of triangles with a corner in the place.
+Bounds trianglesAt(const Bounds& place, const DrawItem& item, const ClusterRuns::Run& run) {
+    constexpr std::uint32_t kCorners = 3;
+    const std::span<const std::uint32_t> indices = item.buffers->triangles();
+    Bounds found;
+    for (std::uint32_t i = run.first; i + kCorners <= run.end; i += kCorners) {
+        Bounds triangle;
+        bool isThere = false;
+        for (const std::uint32_t vertex : indices.subspan(i, kCorners)) {
+            const glm::vec3& corner = item.vertices[vertex].position;
+            triangle.add(corner);
+            isThere = isThere || meet({corner, corner}, place);
+        }
+        if (isThere) {
+            found.add(triangle);
+        }
+    }
+    return found;
+}
+
+/// Boxes of all triangles that have a corner in one of these places. Where clusters are few, they are large,
+/// and their triangles are looked at.
+std::vector<Bounds> trianglesAt(std::span<const Bounds> places, const DrawItem& item,
+                                const ClusterBoxes& boxes, const ClusterRuns& runs) {
+    constexpr std::size_t kFew = 200;
     const Bounds all = around(places);
     std::vector<Bounds> found;
+    std::vector<std::size_t> there;
     for (std::size_t i = 0; i < runs.runs().size(); ++i) {
         const Bounds run = boxOf(boxes, runs, i);
         if (meet(run, all) && std::any_of(places.begin(), places.end(),
                                           [&run](const Bounds& place) { return meet(run, place); })) {
             found.push_back(run);
+            there.push_back(i);
+        }
+    }
+    if (found.size() > kFew || item.vertices.empty()) {
+        return found;
+    }
+    found.clear();
+    for (const std::size_t i : there) {
+        if (const Bounds box = trianglesAt(all, item, runs.runs()[i]); !box.empty()) {
+            found.push_back(box);
         }
     }
     return found;
@@ -70,10 +106,10 @@ std::optional<MovedBoxes> movedBoxes(const DrawItem& item, const Frame& frame,
         return std::nullopt;
     }
     MovedBoxes all;
-    all.shape = trianglesAt(*moved, *boxes, runs);
+    all.shape = trianglesAt(*moved, item, *boxes, runs);
     all.shape.insert(all.shape.end(), moved->begin(), moved->end());
     if (!moved->empty()) {
-        all.looks = trianglesAt(all.shape, *boxes, runs);
+        all.looks = trianglesAt(all.shape, item, *boxes, runs);
     }
     return all;
 }
@@ -89,8 +125,9 @@ bool addShadow(SeenArea& seen, std::span<const Bounds> casters, const DrawItem& 
     if (!ShadowMap::isWanted(frame) || casters.empty()) {
         return true;
     }
-    const Bounds caster = inWorld(around(casters), item);
-    const std::optional<Bounds> shadow = floorShadowOf(caster, frame, lightRadius, shadowTexel(frame));
+    const float texel = shadowTexel(frame);
+    const Bounds caster = grown(inWorld(around(casters), item), kShadowTexels * texel);
+    const std::optional<Bounds> shadow = floorShadowOf(caster, frame, lightRadius, texel);
     return shadow && seen.add(caster) && seen.add(*shadow);
 }
 
@@ -133,7 +170,8 @@ std::optional<MovedArea> movedArea(const FrameContext& context, const Deformatio
     const glm::ivec2 picture(frame.width, frame.height);
     MovedArea area{seen.in(picture), std::nullopt};
     if (isRefinedKnown) {
-        area.refined = refined.in(picture);
+        const PixelArea moved = refined.in(picture);
+        area.refined = moved.empty() ? moved : widened(moved, kFloorOpenReach);
     }
     return area;
 }

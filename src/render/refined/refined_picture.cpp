@@ -106,9 +106,12 @@ void RefinedPicture::begin(const PixelArea& varying, bool maySettle) {
     m_settles = maySettle && m_extent == Extent::WhereItStillVaries;
     const PixelArea whole{0, 0, m_width, m_height};
     m_area = m_extent == Extent::Everywhere ? whole : united(varying, m_taken);
+    m_shown = m_area;
     if (m_unrefined) {
-        m_area = intersected(intersected(m_area, *m_unrefined), whole);
-        m_area = m_area.empty() ? PixelArea{0, 0, 1, 1} : m_area;
+        m_shown = intersected(intersected(m_area, *m_unrefined), whole);
+        m_shown = m_shown.empty() ? PixelArea{0, 0, 1, 1} : m_shown;
+        // Which pixels settle depends on their neighbours.
+        m_area = intersected(united(intersected(m_area, widened(*m_unrefined, 1)), m_shown), whole);
     }
     m_isBegun = true;
     m_isFrontDue = m_settles;
@@ -318,7 +321,7 @@ Status RefinedPicture::drawOne(render::ProgramCache& programs, GLuint emptyArray
     bind(1, m_depths);
     bind(0, isSum ? m_sum : m_colour);
     if (isSum) {
-        render::limitDrawing(m_area);
+        render::limitDrawing(m_shown);
     }
     glBindVertexArray(emptyArray);
     glDrawArrays(GL_TRIANGLES, 0, 3);

@@ -163,6 +163,7 @@ private:
     Extent m_extent;
     std::size_t m_trianglesAPart;
     PixelArea m_area;
+    PixelArea m_shown;  ///< of it: what samples are added up for
     PixelArea m_taken;  ///< outside of it, the plain picture was never a mean of samples
     int m_kept = 0;     ///< samples that it is the mean of
     PixelArea m_rough;

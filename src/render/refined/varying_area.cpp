@@ -16,7 +16,6 @@ namespace hitscope::render {
 
 namespace {
 
-constexpr float kShadowTexels = 4.0f;     // that a shadow's edge is blurred by
 constexpr float kLowestLight = 0.1f;      // sine of its height; shadows of lower lights reach far
 constexpr float kNearlyWhole = 0.85f;     // of the picture
 constexpr std::size_t kMostBoxes = 2048;  // that are looked at: a millisecond

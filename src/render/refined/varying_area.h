@@ -12,6 +12,9 @@ namespace hitscope::render {
 /// Radius of the directional light's disc, a metre away: 3 degrees.
 inline constexpr float kLightSize = 0.055f;
 
+/// Texels of a shadow map that the edge of a shadow is blurred by.
+inline constexpr float kShadowTexels = 4.0f;
+
 /// Pixels of a framebuffer.
 struct DrawnPixels {
     PixelArea area;
