@@ -63,17 +63,21 @@ Bounds trianglesAt(const Bounds& place, const DrawItem& item, const ClusterRuns:
 }
 
 /// Boxes of all triangles that have a corner in one of these places. Where clusters are few, they are large,
-/// and their triangles are looked at.
+/// and their triangles are looked at; where places are many, all between them is one.
+///
+/// boxes: of these runs.
 std::vector<Bounds> trianglesAt(std::span<const Bounds> places, const DrawItem& item,
-                                const ClusterBoxes& boxes, const ClusterRuns& runs) {
+                                std::span<const Bounds> boxes, const ClusterRuns& runs) {
     constexpr std::size_t kFew = 200;
+    constexpr std::size_t kManyPlaces = 64;
     const Bounds all = around(places);
     std::vector<Bounds> found;
     std::vector<std::size_t> there;
-    for (std::size_t i = 0; i < runs.runs().size(); ++i) {
-        const Bounds run = boxOf(boxes, runs, i);
-        if (meet(run, all) && std::any_of(places.begin(), places.end(),
-                                          [&run](const Bounds& place) { return meet(run, place); })) {
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        const Bounds& run = boxes[i];
+        if (meet(run, all) && (places.size() >= kManyPlaces ||
+                               std::any_of(places.begin(), places.end(),
+                                           [&run](const Bounds& place) { return meet(run, place); }))) {
             found.push_back(run);
             there.push_back(i);
         }
@@ -106,11 +110,17 @@ std::optional<MovedBoxes> movedBoxes(const DrawItem& item, const Frame& frame,
         return std::nullopt;
     }
     MovedBoxes all;
-    all.shape = trianglesAt(*moved, item, *boxes, runs);
-    all.shape.insert(all.shape.end(), moved->begin(), moved->end());
-    if (!moved->empty()) {
-        all.looks = trianglesAt(all.shape, item, *boxes, runs);
+    if (moved->empty()) {
+        return all;
     }
+    std::vector<Bounds> runBoxes;
+    runBoxes.reserve(runs.runs().size());
+    for (std::size_t i = 0; i < runs.runs().size(); ++i) {
+        runBoxes.push_back(boxOf(*boxes, runs, i));
+    }
+    all.shape = trianglesAt(*moved, item, runBoxes, runs);
+    all.shape.insert(all.shape.end(), moved->begin(), moved->end());
+    all.looks = trianglesAt(all.shape, item, runBoxes, runs);
     return all;
 }
 
