@@ -132,7 +132,7 @@ struct SceneGpu::Private {
         View view;                          ///< with all pixels, where it is patched or kept
         std::optional<PicturePatch> patch;  ///< of `refined`; nothing: it is drawn anew
         bool isKept = false;                ///< `refined` has it
-        bool isAhead = false;               ///< it may stay there: where it is drawn, nothing is shown
+        bool isAhead = false;  ///< it is read later, wherever it is: `refined` need not be copied
     };
     [[nodiscard]] Choice choose(const View& shown, RefinedView* refined);
     /// Follows the session; the meter measures until drawPicture() has ended.

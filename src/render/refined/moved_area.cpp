@@ -82,7 +82,7 @@ std::vector<Bounds> trianglesAt(std::span<const Bounds> places, const DrawItem& 
             there.push_back(i);
         }
     }
-    if (found.size() > kFew || item.vertices.empty()) {
+    if (found.size() > kFew || item.vertices.size() != item.buffers->vertexCount()) {
         return found;
     }
     found.clear();
