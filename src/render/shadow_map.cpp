@@ -145,8 +145,7 @@ std::optional<PixelArea> ShadowMap::movedArea(const FrameContext& context,
     PixelArea all = isWhole() ? PixelArea{} : *m_area;
     for (std::size_t i = 0; i < frame.targets.size(); ++i) {
         const DrawItem& item = frame.targets[i];
-        const ClusterReach* reach = pipeline.reach(item.target);
-        const auto moved = reach != nullptr ? reach->movedSince(m_moments[i]) : std::nullopt;
+        const auto moved = movedTriangles(item, frame, pipeline, m_moments[i]);
         if (!moved) {
             return std::nullopt;
         }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What comes before a picture, in parts, and what a picture leaves to the refined one after it.
 #include <QTest>
+#include <algorithm>
+#include <glm/geometric.hpp>
 
 #include "scene/refined_view.h"
 #include "scene/scene_gpu.h"
@@ -34,6 +36,7 @@ private Q_SLOTS:
     void shadowsAreDrawnBeforeThePicture();
     void hitsAreAppliedBeforeThePicture();
     void whatComesBetweenIsDrawnToo();
+    void shadowsFollowTriangles();
     void programsAreBuiltBeforeThePicture();
     void theNextIsRefined();
 
@@ -125,6 +128,36 @@ void ScenePrepareTest::whatComesBetweenIsDrawnToo() {
     QVERIFY(m_gpu->sync().ok());
     QVERIFY(draw().pixels == both.pixels);
     QVERIFY(drawnByAnother().pixels == both.pixels);
+}
+
+/// Which may reach far beyond their vertex that a hit moves.
+void ScenePrepareTest::shadowsFollowTriangles() {
+    std::vector<TargetPlan> one(1, planPrimitive({PrimitiveKind::UvSphere, 6, 3.0f}));
+    m_session->loadScene({{}, std::move(one), 0.0f});
+    const Image whole = draw();
+    const std::span<const glm::vec3> places = m_session->targets()[0]->deformed.positions();
+    Hit hit;
+    hit.target = m_session->targets()[0]->id;
+    hit.constants = {.maxDistance = 0.1f, .power = 1.0f, .maxMagnitude = 0.6f};
+    for (const glm::vec3& side :
+         {glm::vec3(1.0f, 0.0f, 0.0f), glm::vec3(0.0f, 1.0f, 0.0f), glm::vec3(0.0f, 0.0f, 1.0f)}) {
+        hit.point =
+            *std::max_element(places.begin(), places.end(), [&side](const glm::vec3& a, const glm::vec3& b) {
+                return glm::dot(a, side) < glm::dot(b, side);
+            });
+        hit.direction = side;
+        QVERIFY(m_session->hits().add(hit).ok());
+        QVERIFY(m_gpu->sync().ok());
+        QVERIFY(draw().pixels == drawnByAnother().pixels);
+        m_session->undo();
+        QVERIFY(m_gpu->sync().ok());
+        QVERIFY(draw().pixels == whole.pixels);
+        m_session->redo();
+        QVERIFY(m_gpu->sync().ok());
+        QVERIFY(draw().pixels == drawnByAnother().pixels);
+        m_session->undo();
+        QVERIFY(m_gpu->sync().ok());
+    }
 }
 
 /// Each in a part of its own, and none is left for the picture.

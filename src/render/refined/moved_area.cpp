@@ -100,27 +100,51 @@ struct MovedBoxes {
     std::vector<Bounds> looks;  ///< of all whose normals may change with it
 };
 
-std::optional<MovedBoxes> movedBoxes(const DrawItem& item, const Frame& frame,
-                                     const DeformationPipeline& pipeline, std::uint64_t moment) {
+std::optional<std::span<const Bounds>> placesMoved(const DrawItem& item, const DeformationPipeline& pipeline,
+                                                   std::uint64_t moment) {
     const ClusterReach* reach = pipeline.reach(item.target);
-    const auto moved = reach != nullptr ? reach->movedSince(moment) : std::nullopt;
+    // Those that have moved since are in these places in item.vertices, too.
+    return reach != nullptr ? reach->movedSince(std::min(moment, item.settled)) : std::nullopt;
+}
+
+std::optional<std::vector<Bounds>> runBoxesOf(const DrawItem& item, const Frame& frame,
+                                              const DeformationPipeline& pipeline) {
     const std::optional<ClusterBoxes> boxes = clusterBoxesOf(item, frame, pipeline);
     const ClusterRuns& runs = item.buffers->triangleRuns();
-    if (!moved || !boxes || runs.runs().empty() || moved->size() > kMostBoxes) {
+    if (!boxes || runs.runs().empty()) {
         return std::nullopt;
-    }
-    MovedBoxes all;
-    if (moved->empty()) {
-        return all;
     }
     std::vector<Bounds> runBoxes;
     runBoxes.reserve(runs.runs().size());
     for (std::size_t i = 0; i < runs.runs().size(); ++i) {
         runBoxes.push_back(boxOf(*boxes, runs, i));
     }
-    all.shape = trianglesAt(*moved, item, runBoxes, runs);
-    all.shape.insert(all.shape.end(), moved->begin(), moved->end());
-    all.looks = trianglesAt(all.shape, item, runBoxes, runs);
+    return runBoxes;
+}
+
+std::vector<Bounds> trianglesMoved(std::span<const Bounds> places, const DrawItem& item,
+                                   std::span<const Bounds> boxes) {
+    std::vector<Bounds> found = trianglesAt(places, item, boxes, item.buffers->triangleRuns());
+    found.insert(found.end(), places.begin(), places.end());
+    return found;
+}
+
+std::optional<MovedBoxes> movedBoxes(const DrawItem& item, const Frame& frame,
+                                     const DeformationPipeline& pipeline, std::uint64_t moment) {
+    const auto moved = placesMoved(item, pipeline, moment);
+    if (!moved || moved->size() > kMostBoxes) {
+        return std::nullopt;
+    }
+    MovedBoxes all;
+    if (moved->empty()) {
+        return all;
+    }
+    const std::optional<std::vector<Bounds>> boxes = runBoxesOf(item, frame, pipeline);
+    if (!boxes) {
+        return std::nullopt;
+    }
+    all.shape = trianglesMoved(*moved, item, *boxes);
+    all.looks = trianglesAt(all.shape, item, *boxes, item.buffers->triangleRuns());
     return all;
 }
 
@@ -157,6 +181,16 @@ std::vector<std::uint64_t> momentsOf(const Frame& frame) {
         moments.push_back(item.settled);
     }
     return moments;
+}
+
+std::optional<std::vector<Bounds>> movedTriangles(const DrawItem& item, const Frame& frame,
+                                                  const DeformationPipeline& pipeline, std::uint64_t moment) {
+    const auto moved = placesMoved(item, pipeline, moment);
+    if (!moved || moved->empty()) {
+        return moved ? std::optional(std::vector<Bounds>()) : std::nullopt;
+    }
+    const std::optional<std::vector<Bounds>> boxes = runBoxesOf(item, frame, pipeline);
+    return boxes ? std::optional(trianglesMoved(*moved, item, *boxes)) : std::nullopt;
 }
 
 std::optional<MovedArea> movedArea(const FrameContext& context, const DeformationPipeline& pipeline,

@@ -16,6 +16,12 @@ namespace hitscope::render {
 /// Of its targets, the moments at which a picture of the frame shows them (DrawItem::settled).
 [[nodiscard]] std::vector<std::uint64_t> momentsOf(const Frame& frame);
 
+/// Boxes that hold all triangles of a target with a corner that may have moved since a moment of its own
+/// (ClusterReach::moment()), as they were and as they are. Its frame. Nothing: that is not known.
+[[nodiscard]] std::optional<std::vector<Bounds>> movedTriangles(const DrawItem& item, const Frame& frame,
+                                                                const DeformationPipeline& pipeline,
+                                                                std::uint64_t moment);
+
 /// Where a picture of the frame differs from one that shows the targets at these moments of theirs: where
 /// moved surfaces were and are, what is around them, whose normals follow, and all that their shadows may
 /// fall on. Nothing: it is not known, or anything differs.
