@@ -180,7 +180,7 @@ void RefineTest::slowPicturesAreCoarseFirst() {
             wasCoarse = wasCoarse || motion.lastDetail().coarse;
         });
         // The first picture after a change of the way to draw is not judged, and one more is drawn in full.
-        for (int change = 0; change < 20 && (change == 0 || !refiner().wasShown()); ++change) {
+        for (int change = 0; change < 20 && !(wasCoarse && refiner().wasShown()); ++change) {
             frames = 0;
             Lights lights = m_session->settings().lights();
             lights.directional.direction.x *= -1.0f;
