@@ -139,7 +139,6 @@ void SceneAheadTest::goWithTheirRefinedPicture() {
     }
     m_refined.reset();
     QVERIFY(readAhead().pixels.empty());
-    const auto other = std::make_unique<RefinedView>();
     m_refined = std::make_unique<RefinedView>();
     QVERIFY(isAlike(drawAhead(), drawn(*m_gpu, m_view)));
 }
