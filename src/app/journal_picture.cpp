@@ -31,7 +31,7 @@ JournalPicture::JournalPicture(Viewport& viewport, SessionJournal& journal, QObj
     : QObject(parent), m_viewport(viewport), m_journal(journal) {
     m_still.setSingleShot(true);
     connect(&m_still, &QTimer::timeout, this, &JournalPicture::take);
-    connect(&viewport, &Viewport::framePainted, this, &JournalPicture::wait);
+    connect(&viewport.pictures(), &PictureFlow::framePainted, this, &JournalPicture::wait);
     connect(&journal, &SessionJournal::begun, this, [this] {
         m_sinceLast.invalidate();
         wait();
@@ -50,7 +50,7 @@ void JournalPicture::take() {
     if (!m_journal.isBegun()) {
         return;
     }
-    const QImage picture = m_viewport.thumbnail(kWidth);
+    const QImage picture = m_viewport.pictures().thumbnail(kWidth);
     const QByteArray jpeg = picture.isNull() ? QByteArray() : jpegOf(picture);
     if (!jpeg.isEmpty()) {
         m_journal.writer().setPicture(jpeg);

@@ -101,8 +101,8 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
     makeCentre();
     setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
     makeOverlays();
-    m_files->setReadying([this](const ScenePlan& scene) { return m_viewport->bringMeshes(scene); });
-    connect(m_files, &SceneFiles::ended, m_viewport, &Viewport::dropUnusedMeshes);
+    m_files->setReadying([this](const ScenePlan& scene) { return m_viewport->scene().bringMeshes(scene); });
+    connect(m_files, &SceneFiles::ended, &m_viewport->scene(), &ViewportScene::dropUnusedMeshes);
     m_menus = new WindowMenus(*this, *m_viewport, m_actions);
     m_docks = new WindowDocks(
         {session, m_settings, m_hitEffects, *m_viewport, *m_files, m_actions, *m_menus, *this});
@@ -302,8 +302,8 @@ void MainWindow::connectViewport() {
     connect(menu, &ViewportMenu::dockWanted, m_docks, &WindowDocks::show);
     connect(m_actions.goToVertex, &GoToVertex::arrived, this,
             [this] { m_docks->show(QStringLiteral("vertexChanges")); });
-    connect(m_viewport, &Viewport::rendererKnown, this, [this] {
-        m_status->setRenderer(m_viewport->rendererName());
+    connect(&m_viewport->scene(), &ViewportScene::made, this, [this] {
+        m_status->setRenderer(m_viewport->scene().rendererName());
         m_actions.pipelines->leaveInexact();
     });
     new FrameRateReadOut(m_docks->frameRate(), *m_viewport, *m_status, m_docks);

@@ -18,7 +18,7 @@ constexpr int kMostWaiting = 4;  // pictures drawn and not yet written: they tak
 
 SequenceWriter::SequenceWriter(Viewport& viewport, QObject* parent) : QObject(parent), m_viewport(viewport) {
     // A sequence's own buffers go with the context.
-    connect(&viewport, &Viewport::aboutToReleaseGpu, this, &SequenceWriter::cancel);
+    connect(&viewport.scene(), &ViewportScene::aboutToRelease, this, &SequenceWriter::cancel);
 }
 
 SequenceWriter::~SequenceWriter() {
@@ -33,7 +33,7 @@ Status SequenceWriter::start(const Plan& plan) {
     m_samples = 0;
     m_written = 0;
     ++m_run;
-    Status made = m_viewport.withScene([this](SceneGpu& scene) -> Status {
+    Status made = m_viewport.scene().with([this](SceneGpu& scene) -> Status {
         if (m_plan.turntable > 0) {
             m_sequence = PictureSequence::turntable(scene, m_plan.picture, m_plan.turntable);
             return Done{};
@@ -56,7 +56,7 @@ void SequenceWriter::step() {
     if (!isRunning() || m_drawn >= m_count || m_drawn - m_written >= kMostWaiting) {
         return;  // took() goes on
     }
-    Status drawn = m_viewport.withScene([this](SceneGpu&) -> Status {
+    Status drawn = m_viewport.scene().with([this](SceneGpu&) -> Status {
         Result<std::optional<Image>> image = m_sequence->advance();
         if (!image) {
             return image.error();
@@ -122,7 +122,7 @@ void SequenceWriter::cancel() {
 void SequenceWriter::stop() {
     if (m_sequence) {
         // Its buffers are given back where they came from.
-        static_cast<void>(m_viewport.withScene([this](SceneGpu&) -> Status {
+        static_cast<void>(m_viewport.scene().with([this](SceneGpu&) -> Status {
             m_sequence.reset();
             return Done{};
         }));

@@ -49,10 +49,10 @@ DrivenWindow::DrivenWindow(QSize size) : m_watch([this] { seeLoop(); }) {
     loadWelcomeScene(m_session);
     m_window = std::make_unique<MainWindow>(m_session);
     setRefines(false);
-    QObject::connect(&viewport(), &Viewport::framePainted, &m_watch,
+    QObject::connect(&viewport().pictures(), &PictureFlow::framePainted, &m_watch,
                      [this] { m_lastPainted = nowInNanoseconds(); });
-    QObject::connect(&viewport(), &Viewport::pictureDrawn, &m_watch, [this] { ++m_drawnFrames; });
-    QObject::connect(&viewport(), &Viewport::pictureShown, &m_watch, [this] {
+    QObject::connect(&viewport().pictures(), &PictureFlow::drawn, &m_watch, [this] { ++m_drawnFrames; });
+    QObject::connect(&viewport().pictures(), &PictureFlow::shown, &m_watch, [this] {
         ++m_frames;
         m_drawnWithShown = m_drawnFrames;
         m_lastFrame = nowInNanoseconds();
@@ -62,7 +62,7 @@ DrivenWindow::DrivenWindow(QSize size) : m_watch([this] { seeLoop(); }) {
     m_window->activateWindow();
     viewport().setFocus();
     wait(QStringLiteral("an active window"), [this] { return m_window->isActiveWindow(); });
-    wait(QStringLiteral("a first picture"), [this] { return !viewport().rendererName().isEmpty(); });
+    wait(QStringLiteral("a first picture"), [this] { return !viewport().scene().rendererName().isEmpty(); });
 }
 
 DrivenWindow::~DrivenWindow() {
@@ -117,9 +117,10 @@ std::optional<DrivenWindow::Taken> DrivenWindow::untilShown(const QString& what,
     QObject listener;
     bool isComing = false;  // the picture to be shown next was drawn then
     // What drawing brought along is in its picture.
-    QObject::connect(&viewport(), &Viewport::pictureDrawn, &listener, [&] { isComing = isThere(); });
+    QObject::connect(&viewport().pictures(), &PictureFlow::drawn, &listener, [&] { isComing = isThere(); });
     m_isBesidePainted = false;
-    QObject::connect(&viewport(), &Viewport::pictureShown, &listener, [&] { drawn = drawn || isComing; });
+    QObject::connect(&viewport().pictures(), &PictureFlow::shown, &listener,
+                     [&] { drawn = drawn || isComing; });
     const auto look = [&] {
         drawn = drawn || (std::exchange(m_isBesidePainted, false) && isThere());
         if (!drawn) {
@@ -130,7 +131,7 @@ std::optional<DrivenWindow::Taken> DrivenWindow::untilShown(const QString& what,
         if (taken.seen.seconds == 0.0) {
             taken.seen = now;
         }
-        if (taken.full.seconds == 0.0 && viewport().motion().lastDetail().isFull()) {
+        if (taken.full.seconds == 0.0 && viewport().pictures().motion().lastDetail().isFull()) {
             taken.full = now;
         }
         if (taken.ready == 0.0 && m_session.readBack().isUpToDate()) {
@@ -153,8 +154,8 @@ std::optional<DrivenWindow::Moment> DrivenWindow::untilRefined(const std::functi
     std::int64_t begin = 0;
     double spent = 0.0;
     QObject listener;
-    QObject::connect(&viewport(), &Viewport::pictureShown, &listener, [&] {
-        const PictureRefiner& refiner = viewport().refiner();
+    QObject::connect(&viewport().pictures(), &PictureFlow::shown, &listener, [&] {
+        const PictureRefiner& refiner = viewport().pictures().refiner();
         if (!refiner.wasShown()) {  // the last of these: what follows the hit comes in another frame
             m_watch.restart();
             spent = processorTime();
@@ -165,8 +166,9 @@ std::optional<DrivenWindow::Moment> DrivenWindow::untilRefined(const std::functi
         }
     });
     act();
-    const bool came = wait(QStringLiteral("the refined picture"),
-                           [&] { return refined.seconds > 0.0 || !viewport().refiner().whyNot().isEmpty(); });
+    const bool came = wait(QStringLiteral("the refined picture"), [&] {
+        return refined.seconds > 0.0 || !viewport().pictures().refiner().whyNot().isEmpty();
+    });
     return came && refined.seconds > 0.0 ? std::optional(refined) : std::nullopt;
 }
 

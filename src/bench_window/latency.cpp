@@ -217,7 +217,7 @@ Row LatencyRun::moving(const QString& what, std::optional<PictureDetail> detail,
     constexpr int kChoosing = 15;  // frames
     Row row{what};
     const Camera camera = m_window.viewport().camera();
-    m_window.viewport().motion().hold(detail);
+    m_window.viewport().pictures().motion().hold(detail);
     m_window.press(0.3, 0.5);
     m_window.moveTo(0.33, 0.5);  // now it is a drag
     for (int i = 0; i < kChoosing + frames && isGood(); ++i) {
@@ -235,7 +235,7 @@ Row LatencyRun::moving(const QString& what, std::optional<PictureDetail> detail,
     m_window.release(0.3, 0.5);
     // What follows sees the mesh as before. The way back may be another: an orbit keeps the scene in sight.
     m_window.viewport().navigation().setCamera(camera, Navigation::Arrival::AtOnce);
-    m_window.viewport().motion().hold(std::nullopt);
+    m_window.viewport().pictures().motion().hold(std::nullopt);
     m_window.settle();
     return row;
 }

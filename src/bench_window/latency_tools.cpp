@@ -31,7 +31,7 @@ void LatencyRun::aims() {
     for (const bool isRefined : {false, true}) {
         m_window.setRefines(isRefined);
         if (isRefined && !m_window.wait(QStringLiteral("the refined picture"), [this] {
-                const PictureRefiner& refiner = m_window.viewport().refiner();
+                const PictureRefiner& refiner = m_window.viewport().pictures().refiner();
                 return refiner.wasShown() || !refiner.whyNot().isEmpty();
             })) {
             return;

@@ -70,8 +70,8 @@ int main(int argc, char** argv) {
     if (!window.error().isEmpty()) {
         return fail(window.error());
     }
-    measured[QStringLiteral("renderer")] = window.viewport().rendererName();
-    measured[QStringLiteral("version")] = window.viewport().rendererVersion();
+    measured[QStringLiteral("renderer")] = window.viewport().scene().rendererName();
+    measured[QStringLiteral("version")] = window.viewport().scene().rendererVersion();
     std::fputs(QJsonDocument(measured).toJson(QJsonDocument::Compact).constData(), stdout);
     return std::fflush(stdout) == 0 ? 0 : 1;
 }

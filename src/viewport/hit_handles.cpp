@@ -85,7 +85,7 @@ HitHandles::HitHandles(Viewport& viewport, Session& session, HitEditing& editing
     connectGrip(*m_direction, &HitHandles::dragDirection);
     viewport.installEventFilter(this);
     connect(&viewport.navigation(), &Navigation::cameraChanged, this, &HitHandles::follow);
-    connect(&viewport, &Viewport::framePainted, this, &HitHandles::follow);
+    connect(&viewport.pictures(), &PictureFlow::framePainted, this, &HitHandles::follow);
     connect(&editing, &HitEditing::edited, this, &HitHandles::follow);
     connect(&session.targets(), &SessionTargets::changed, this, &HitHandles::follow);
 }

@@ -54,7 +54,7 @@ InspectTool::InspectTool(Viewport& viewport, Session& session)
     m_againTimer.setSingleShot(true);
     connect(&m_arrivalTimer, &QTimer::timeout, this, &InspectTool::takeHovered);
     connect(&m_againTimer, &QTimer::timeout, this, &InspectTool::hoverAgain);
-    connect(&viewport, &Viewport::framePainted, this, [this] {
+    connect(&viewport.pictures(), &PictureFlow::framePainted, this, [this] {
         if (m_inside && m_tool == Tool::Inspect && !m_againTimer.isActive()) {
             m_againTimer.start();
         }

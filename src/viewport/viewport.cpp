@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewport/viewport.h"
 
-#include <algorithm>
-#include <utility>
-
-#include "session/frame_costs.h"
+#include "scene/scene_picker.h"
 #include "session/task_list.h"
 #include "viewport/brush_tool.h"
 #include "viewport/inspect_tool.h"
@@ -13,11 +10,6 @@
 namespace hitscope {
 
 namespace {
-
-constexpr int kCrosshairStays = 1500;   // milliseconds after the last shot with Space
-constexpr int kCostsArrive = 200;       // milliseconds after the last frame of many
-constexpr int kTrialPause = 250;        // milliseconds between two things that are tried, each some ten long
-constexpr double kNanosecond = 1.0e-9;  // seconds
 
 /// Where a CPU draws, events wait for more than 40 ms until so many triangles are transformed: 160 ns each,
 /// with their shadows.
@@ -48,121 +40,97 @@ struct DrawnTriangles {
 Viewport::Viewport(Session& session, QWidget* parent)
     : QWidget(parent),
       m_session(session),
-      m_inspect(new InspectTool(*this, session)),
       m_navigation(
           [this](const QPointF& position) {
               const auto met = m_aiming.met(m_navigation.rayAt(position));
               return met && met->target ? std::optional(met->point) : std::nullopt;
           },
           [this] { return sceneInSight(); }),
-      m_aiming(session, m_navigation, m_options.cut) {
-    m_brush = new BrushTool(*this, session);  // by the parts above
+      m_pictures(m_scene, m_surface, session.frameCosts(),
+                 {.view = [this] { return view(); }, .followsOn = [this] { return m_loop.followsOn(); }}),
+      m_inspect(new InspectTool(*this, session)),
+      m_brush(new BrushTool(*this, session)) {
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(240, 180);
-    m_crosshairTimer.setSingleShot(true);
-    m_crosshairTimer.setInterval(kCrosshairStays);
-    m_costsTimer.setSingleShot(true);
-    m_costsTimer.setInterval(kCostsArrive);
-    connect(&m_costsTimer, &QTimer::timeout, this, &Viewport::collectCosts);
-    m_trialTimer.setInterval(kTrialPause);
-    connect(&m_trialTimer, &QTimer::timeout, this, &Viewport::tryNext);
-    const auto followRateOfFire = [this] {
-        m_repeatTimer.setInterval(qRound(1000.0f / m_session.settings().projectile().rateOfFire));
-    };
-    followRateOfFire();
-    connect(&m_repeatTimer, &QTimer::timeout, this, &Viewport::shootAtCrosshair);
-    connect(&m_crosshairTimer, &QTimer::timeout, this, &Viewport::wantPicture);
+    PictureMotion& motion = m_pictures.motion();
+    connect(&m_scene, &ViewportScene::made, this, &Viewport::sceneMade);
+    connect(&m_scene, &ViewportScene::aboutToRelease, this, [this] {
+        m_pictures.releaseGpu();
+        m_picking.setPicker(nullptr);
+    });
+    connect(&m_pictures, &PictureFlow::failed, this, &Viewport::failed);
+    connect(&m_pictures.refiner(), &PictureRefiner::failed, this, &Viewport::followQuality);
+    connect(&m_trigger, &Trigger::fired, this, [this] {
+        shootAlong(camera().rayThrough({0.0f, 0.0f}, m_navigation.aspect()));
+        wantPicture();
+    });
+    connect(&m_trigger, &Trigger::crosshairGone, this, &Viewport::wantPicture);
     connect(&m_navigation, &Navigation::cameraChanged, this, &Viewport::wantPicture);
-    connect(&m_navigation, &Navigation::cameraChanged, &m_motion, &PictureMotion::moved);
-    connect(&m_refiner, &PictureRefiner::failed, this, &Viewport::followQuality);
-    connect(&m_motion, &PictureMotion::rested, this, &Viewport::wantPicture);
-    connect(&session.tasks(), &TaskList::changed, this,
-            [this] { m_motion.setBusy(m_session.tasks().current() != nullptr); });
-    connect(&m_catchUp, &CatchUp::sliceDue, this, &Viewport::slice);
-    connect(&session.settings(), &SessionSettings::projectileChanged, this, followRateOfFire);
-    connect(&session, &Session::pictureChanged, this, &Viewport::followPicture);
-    connect(&session, &Session::pictureChanged, this, &Viewport::startClock);
-    const VertexSelection& selection = session.selection();
-    connect(&selection, &VertexSelection::hoveredChanged, this, &Viewport::wantPicture);
-    connect(&selection, &VertexSelection::pickedChanged, this, &Viewport::wantPicture);
-    connect(&selection, &VertexSelection::selectionChanged, this, &Viewport::wantPicture);
-    connect(&session, &Session::sceneReplaced, this, &Viewport::followScene);
-    connect(&session.targets(), &SessionTargets::added, this, &Viewport::followSize);
-    connect(&session.targets(), &SessionTargets::removed, this, &Viewport::followSize);
-    connect(&session.targets(), &SessionTargets::changed, this, &Viewport::followSize);
+    connect(&m_navigation, &Navigation::cameraChanged, &motion, &PictureMotion::moved);
+    connect(&session.tasks(), &TaskList::changed, &motion,
+            [&session, &motion] { motion.setBusy(session.tasks().current() != nullptr); });
+    connectSession();
     new ViewLabel(m_navigation, this);
     followScene();
 }
 
+void Viewport::connectSession() {
+    const VertexSelection& selection = m_session.selection();
+    connect(&selection, &VertexSelection::hoveredChanged, this, &Viewport::wantPicture);
+    connect(&selection, &VertexSelection::pickedChanged, this, &Viewport::wantPicture);
+    connect(&selection, &VertexSelection::selectionChanged, this, &Viewport::wantPicture);
+    connect(&m_session, &Session::sceneReplaced, this, &Viewport::followScene);
+    connect(&m_session.targets(), &SessionTargets::added, this, &Viewport::followSize);
+    connect(&m_session.targets(), &SessionTargets::removed, this, &Viewport::followSize);
+    connect(&m_session.targets(), &SessionTargets::changed, this, &Viewport::followSize);
+}
+
 Viewport::~Viewport() {
-    releaseGpu();
+    m_scene.release();
 }
 
-void Viewport::report(const Error& error) {
-    if (error.message() == m_error) {
-        return;
+PictureSurface::Hooks Viewport::surfaceHooks() {
+    return {.made = [this] { contextMade(); },
+            .resized = [this] { surfaceResized(); },
+            .draw = [this](unsigned framebuffer) { m_pictures.draw(framebuffer); },
+            .kept = [this](bool byWindow) { return m_pictures.kept(byWindow); },
+            .paintOver = [this](QPaintDevice& picture) { paintOver(picture); },
+            .shown =
+                [this] {
+                    m_pictures.windowPainted();
+                    Q_EMIT windowPainted();
+                    m_loop.windowPainted();
+                }};
+}
+
+void Viewport::contextMade() {
+    if (const Status made = m_scene.make(); !made) {
+        m_pictures.report(made.error());
     }
-    m_error = error.message();
-    // Not from within a paint event: whoever listens may open a dialog.
-    QMetaObject::invokeMethod(
-        this, [this, error] { Q_EMIT failed(error); }, Qt::QueuedConnection);
 }
 
-SceneGpu::View Viewport::view() const {
-    SceneGpu::View view;
-    view.width = std::max(1, static_cast<int>(std::lround(width() * devicePixelRatioF())));
-    view.height = std::max(1, static_cast<int>(std::lround(height() * devicePixelRatioF())));
-    view.pixelRatio = static_cast<float>(devicePixelRatioF());
-    view.camera = camera();
-    view.options = m_options;
-    view.ghost = m_decorations.ghost();
-    view.section = m_decorations.section();
-    view.otherSection = m_decorations.otherSection();
-    view.showsCutPlane = m_decorations.showsCutPlane();
-    view.changeValues = m_changeValues;
-    view.comparison = m_comparison;
-    view.projectilesFly = m_isSoftware && m_session.simulation().isMoving();
-    view.options.crosshair = m_options.crosshair || m_crosshairTimer.isActive();
-    return view;
+void Viewport::sceneMade() {
+    m_pictures.motion().setLongestFrame(m_scene.isSoftware() ? MotionDetail::kLongestSoftwareFrame
+                                                             : MotionDetail::kLongestFrame);
+    followSize();
+    static_cast<void>(m_scene.with([this](SceneGpu& scene) -> Status {
+        m_picking.setPicker(std::make_unique<ScenePicker>(m_session, scene));
+        followQuality();
+        return Done{};
+    }));
 }
 
-SceneGpu::View Viewport::beginPicture() {
-    m_sinceBegin.start();
-    m_prepared = std::exchange(m_preparing, 0.0);
-    m_follows = std::exchange(m_frameFollows, false) && m_sinceFrame.isValid();
-    SceneGpu::View shown = view();
-    m_motion.seenFrom(camera().distance());
-    shown.detail = m_motion.beginFrame();
-    // Where the CPU draws, keeping it costs a tenth of drawing it twice, and events wait meanwhile.
-    shown.isAtRest = m_isSoftware && !wantsFrames() && !m_motion.isMoving();
-    return shown;
+void Viewport::resizeEvent(QResizeEvent*) {
+    m_surface.widget().setGeometry(rect());
 }
 
-void Viewport::pictureBegun() {
-    m_motion.drawn(m_scene->wasCoarse(), static_cast<double>(m_sinceBegin.nsecsElapsed()) * kNanosecond);
-    Q_EMIT pictureDrawn();
-}
-
-/// Only now is a frame there: a renderer may have put off all of the drawing until now. The window is also
-/// composed, and this called, where another widget has painted itself.
-void Viewport::endFrame() {
-    if (!std::exchange(m_isDrawn, false)) {
-        return;
+void Viewport::surfaceResized() {
+    followViewSize();
+    m_pictures.motion().forget();
+    if (!m_framed) {
+        m_framed = true;
+        frameAll(Navigation::Arrival::AtOnce);
     }
-    const double drawing = m_prepared + static_cast<double>(m_sinceBegin.nsecsElapsed()) * kNanosecond;
-    m_motion.frameShown(drawing);
-    m_catchUp.pictureShown();
-    m_ahead.shown();
-    Q_EMIT pictureShown();
-    const Painted painted = std::exchange(m_painted, Painted::Nothing);
-    if (painted == Painted::Nothing) {
-        return;
-    }
-    const bool follows = painted == Painted::Following && m_sinceFrame.isValid();
-    const double seconds = follows ? static_cast<double>(m_sinceFrame.nsecsElapsed()) * kNanosecond : drawing;
-    m_sinceFrame.start();
-    m_session.frameCosts().endFrame(seconds, follows);
-    Q_EMIT framePainted(seconds);
 }
 
 void Viewport::setChangeValues(ChangeValues* values, Comparison* comparison) {
@@ -178,7 +146,7 @@ void Viewport::followViewSize() {
 
 void Viewport::setOptions(const DisplayOptions& options) {
     m_options = options;
-    m_motion.forget();
+    m_pictures.motion().forget();
     followViewSize();
     followQuality();
     wantPicture();
@@ -186,14 +154,18 @@ void Viewport::setOptions(const DisplayOptions& options) {
 }
 
 void Viewport::setDrawsContinuously(bool on) {
-    m_continuous = on;
+    m_loop.setContinuous(on);
     followQuality();
     m_navigation.setGlides(!on);  // what is measured stands still
     wantPicture();
 }
 
+void Viewport::followQuality() {
+    m_pictures.setQuality(m_options, m_loop.isContinuous());
+}
+
 void Viewport::followScene() {
-    m_ahead.drop();
+    m_pictures.drop();
     followSize();
     frameAll(Navigation::Arrival::AtOnce);
     wantPicture();
@@ -201,7 +173,7 @@ void Viewport::followScene() {
 
 void Viewport::followSize() {
     const DrawnTriangles drawn(m_session.targets());
-    m_motion.setCoarsePart(drawn.coarsePart(), m_isSoftware && drawn.all > kTooMany);
+    m_pictures.motion().setCoarsePart(drawn.coarsePart(), m_scene.isSoftware() && drawn.all > kTooMany);
     const float size = m_session.targets().bounds().diagonal();
     m_navigation.setSceneRadius(size > 0.0f ? size : 1.0f);
 }
@@ -239,12 +211,6 @@ Ray Viewport::rayThrough(const QPointF& place) const {
 void Viewport::shootAlong(const Ray& sight) {
     m_session.simulation().fire(m_aiming.shotAt(sight));
     Q_EMIT shot(sight);
-}
-
-void Viewport::shootAtCrosshair() {
-    m_crosshairTimer.start();
-    shootAlong(camera().rayThrough({0.0f, 0.0f}, m_navigation.aspect()));
-    wantPicture();
 }
 
 void Viewport::lookAt(const VertexRef& vertex) {

@@ -16,7 +16,7 @@ namespace hitscope {
 
 bool Viewport::event(QEvent* event) {
     if (dynamic_cast<QInputEvent*>(event) != nullptr) {
-        m_refiner.inputCame();
+        m_pictures.refiner().inputCame();
     }
     if (event->type() == QEvent::NativeGesture &&
         m_navigation.gesture(*static_cast<QNativeGestureEvent*>(event))) {
@@ -84,8 +84,7 @@ void Viewport::keyPressEvent(QKeyEvent* event) {
     const bool plain = (event->modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) == Qt::NoModifier;
     if (plain && event->key() == Qt::Key_Space) {
         if (!event->isAutoRepeat()) {
-            shootAtCrosshair();
-            m_repeatTimer.start();
+            m_trigger.press();
         }
     } else if (plain && event->key() == Qt::Key_Escape) {
         m_session.hits().select(std::nullopt);
@@ -102,7 +101,7 @@ void Viewport::keyReleaseEvent(QKeyEvent* event) {
         return;
     }
     if (event->key() == Qt::Key_Space) {
-        m_repeatTimer.stop();
+        m_trigger.release();
     } else if (!m_navigation.keyRelease(*event)) {
         QWidget::keyReleaseEvent(event);
     }
@@ -110,7 +109,7 @@ void Viewport::keyReleaseEvent(QKeyEvent* event) {
 
 void Viewport::focusOutEvent(QFocusEvent* event) {
     m_navigation.releaseKeys();
-    m_repeatTimer.stop();
+    m_trigger.release();
     QWidget::focusOutEvent(event);
 }
 

@@ -34,42 +34,46 @@ void ViewportPicking::report(const Error& error) {
     }
 }
 
-std::optional<VertexRef> ViewportPicking::vertexAt(const QPointF& position) {
-    if (!m_picker || !m_viewport.syncNow()) {
-        return std::nullopt;
-    }
-    m_viewport.surface().makeCurrent();
-    const auto picked = m_picker->pick(m_viewport.view(), toPixels(position, m_viewport.devicePixelRatioF()));
-    m_viewport.surface().doneCurrent();
-    if (!picked) {
-        report(picked.error());
-        return std::nullopt;
-    }
-    return picked.value();
-}
-
-bool ViewportPicking::requestVertexAt(const QPointF& position) {
-    if (!m_picker) {
-        return false;
-    }
-    m_viewport.surface().makeCurrent();
-    const Status asked =
-        m_picker->request(m_viewport.view(), toPixels(position, m_viewport.devicePixelRatioF()));
-    m_viewport.surface().doneCurrent();
+bool ViewportPicking::isAsked(const std::function<Status()>& ask) {
+    const Status asked = m_viewport.scene().with([&ask](SceneGpu&) { return ask(); });
     if (!asked) {
         report(asked.error());
     }
     return asked.ok();
 }
 
-std::optional<std::optional<VertexRef>> ViewportPicking::requestedVertex() {
-    if (!m_picker || !m_picker->isPending()) {
-        return std::optional<VertexRef>();  // the context went meanwhile, and the question with it
+std::optional<VertexRef> ViewportPicking::vertexAt(const QPointF& position) {
+    std::optional<VertexRef> vertex;
+    if (m_picker && m_viewport.syncNow()) {
+        isAsked([&]() -> Status {
+            auto picked =
+                m_picker->pick(m_viewport.view(), toPixels(position, m_viewport.devicePixelRatioF()));
+            if (!picked) {
+                return picked.error();
+            }
+            vertex = picked.value();
+            return Done{};
+        });
     }
-    m_viewport.surface().makeCurrent();
-    const auto arrived = m_picker->arrived();
-    m_viewport.surface().doneCurrent();
-    return arrived;
+    return vertex;
+}
+
+bool ViewportPicking::requestVertexAt(const QPointF& position) {
+    return m_picker && isAsked([&] {
+               return m_picker->request(m_viewport.view(),
+                                        toPixels(position, m_viewport.devicePixelRatioF()));
+           });
+}
+
+std::optional<std::optional<VertexRef>> ViewportPicking::requestedVertex() {
+    std::optional<std::optional<VertexRef>> vertex = std::optional<VertexRef>();
+    if (m_picker && m_picker->isPending()) {  // else the context went meanwhile, and the question with it
+        isAsked([&]() -> Status {
+            vertex = m_picker->arrived();
+            return Done{};
+        });
+    }
+    return vertex;
 }
 
 std::map<TargetId, std::vector<std::uint32_t>> ViewportPicking::changedWithin(const QPolygonF& outline,
@@ -81,15 +85,17 @@ std::map<TargetId, std::vector<std::uint32_t>> ViewportPicking::changedWithin(co
     for (const QPointF& corner : outline) {
         corners.push_back(toPixels(corner, m_viewport.devicePixelRatioF()));
     }
-    m_viewport.surface().makeCurrent();
-    auto found = m_picker->changedWithin(
-        m_viewport.view(), corners, hiddenToo ? ScenePicker::Depth::Through : ScenePicker::Depth::Visible);
-    m_viewport.surface().doneCurrent();
-    if (!found) {
-        report(found.error());
-        return {};
-    }
-    return std::move(found).value();
+    const auto depth = hiddenToo ? ScenePicker::Depth::Through : ScenePicker::Depth::Visible;
+    std::map<TargetId, std::vector<std::uint32_t>> changed;
+    isAsked([&]() -> Status {
+        auto found = m_picker->changedWithin(m_viewport.view(), corners, depth);
+        if (!found) {
+            return found.error();
+        }
+        changed = std::move(found).value();
+        return Done{};
+    });
+    return changed;
 }
 
 }  // namespace hitscope

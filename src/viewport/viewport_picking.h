@@ -4,6 +4,7 @@
 #include <QPointF>
 #include <QPolygonF>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -39,6 +40,8 @@ public:
 
 private:
     void report(const Error& error);
+    /// With the context current; an error is reported.
+    bool isAsked(const std::function<Status()>& ask);
 
     Viewport& m_viewport;
     std::unique_ptr<ScenePicker> m_picker;

@@ -1,60 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What others have the viewport's scene and context do: pictures of it, what else is drawn in it, what can be
-// told of the renderer, and a wait until all has been read back.
-#include <QOpenGLContext>
+// What there is to be seen, and pictures of it for others.
+#include <QPainter>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
-#include "pipeline/graphics_report.h"
 #include "scene/picture.h"
 #include "viewport/viewport.h"
 
 namespace hitscope {
 
-namespace {
-
-constexpr std::size_t kLargeMesh = 50'000;  // vertices: fewer are on the GPU in some milliseconds
-
-}  // namespace
-
-Status Viewport::withScene(const std::function<Status(SceneGpu&)>& work) {
-    if (!m_scene) {
-        return Error{"There is no picture: nothing can be drawn here.", "",
-                     "Start Hitscope where OpenGL 3.3 is available."};
-    }
-    // The context may be current already: while it is being given back, or in the middle of a frame.
-    const bool current = QOpenGLContext::currentContext() == m_surface.context();
-    if (!current) {
-        m_surface.makeCurrent();
-    }
-    Status status = work(*m_scene);
-    if (!current) {
-        m_surface.doneCurrent();
-    }
-    return status;
-}
-
-bool Viewport::bringMeshes(const ScenePlan& scene) {
-    bool isAll = true;
-    static_cast<void>(withScene([&](SceneGpu& gpu) -> Status {
-        isAll = std::all_of(scene.targets.begin(), scene.targets.end(), [&gpu](const TargetPlan& plan) {
-            return plan.shape.render->vertices.size() < kLargeMesh ||
-                   gpu.bring(plan.shape.mesh, plan.shape.render);
-        });
-        return Done{};
-    }));
-    return isAll;
-}
-
-void Viewport::dropUnusedMeshes() {
-    static_cast<void>(withScene([](SceneGpu& gpu) -> Status {
-        gpu.dropUnusedMeshes();
-        return Done{};
-    }));
+SceneGpu::View Viewport::view() const {
+    SceneGpu::View view;
+    view.width = std::max(1, static_cast<int>(std::lround(width() * devicePixelRatioF())));
+    view.height = std::max(1, static_cast<int>(std::lround(height() * devicePixelRatioF())));
+    view.pixelRatio = static_cast<float>(devicePixelRatioF());
+    view.camera = camera();
+    view.options = m_options;
+    view.ghost = m_decorations.ghost();
+    view.section = m_decorations.section();
+    view.otherSection = m_decorations.otherSection();
+    view.showsCutPlane = m_decorations.showsCutPlane();
+    view.changeValues = m_changeValues;
+    view.comparison = m_comparison;
+    view.projectilesFly = m_scene.isSoftware() && m_session.simulation().isMoving();
+    view.options.crosshair = m_options.crosshair || m_trigger.showsCrosshair();
+    return view;
 }
 
 Status Viewport::syncNow() {
-    Status status = withScene([](SceneGpu& scene) { return scene.sync(); });
+    Status status = m_scene.with([](SceneGpu& scene) { return scene.sync(); });
     wantPicture();  // normals may have come with it
     return status;
 }
@@ -80,7 +55,7 @@ Result<Image> Viewport::drawShown() {
         if (const Status current = scene.sync(); !current) {
             return current.error();
         }
-        RefinedView* const refined = m_refiner.view();
+        RefinedView* const refined = m_pictures.refiner().view();
         return refined != nullptr && scene.isRefined(view(), *refined)
                    ? hitscope::drawPicture(scene, pictureRequest(), *refined)
                    : hitscope::drawPicture(scene, pictureRequest());
@@ -89,7 +64,7 @@ Result<Image> Viewport::drawShown() {
 
 Result<Image> Viewport::takePicture(const std::function<Result<Image>(SceneGpu&)>& draw) {
     Image image;
-    Status status = withScene([&](SceneGpu& scene) -> Status {
+    const Status status = m_scene.with([&](SceneGpu& scene) -> Status {
         Result<Image> drawn = draw(scene);
         if (!drawn) {
             return drawn.error();
@@ -104,81 +79,22 @@ Result<Image> Viewport::takePicture(const std::function<Result<Image>(SceneGpu&)
     return image;
 }
 
-QImage Viewport::thumbnail(int width) {
-    if (!m_kept.isNull()) {
-        return m_kept.scaledToWidth(std::min(width, m_kept.width()), Qt::SmoothTransformation);
+void Viewport::paintOver(QPaintDevice& picture) {
+    if (!m_scene.exists()) {
+        paintError(picture);
+    } else if (const SceneGpu::View drawn = view(); ChangeOverlay::isNeeded(drawn)) {
+        QPainter painter(&picture);
+        m_changeOverlay.paint(painter, drawn);
     }
-    QImage small;
-    static_cast<void>(withScene([&](SceneGpu&) -> Status {
-        const SceneGpu::View shown = view();
-        const Image read = hitscope::thumbnail(m_surface.framebuffer(), shown.width, shown.height, width);
-        small = QImage(read.pixels.data(), read.width, read.height, 4 * read.width, QImage::Format_RGBX8888)
-                    .copy();
-        return Done{};
-    }));
-    return small;
 }
 
-PictureRefiner::Hooks Viewport::refinerHooks() {
-    return {.mayRefine =
-                [this] {
-                    return m_scene && !wantsFrames() && isVisible() && !m_motion.isReduced() &&
-                           !m_ahead.isUnderWay();
-                },
-            .isBehind =
-                [this](RefinedView& refined) {
-                    bool isBehind = false;
-                    static_cast<void>(withScene([&](SceneGpu& scene) -> Status {
-                        isBehind = scene.isBehindRefining(refined);
-                        return Done{};
-                    }));
-                    return isBehind;
-                },
-            .addSample =
-                [this](RefinedView& refined) {
-                    return withScene([&](SceneGpu& scene) { return scene.refine(view(), refined); });
-                },
-            .isCoarse = [this] { return m_motion.lastDetail().coarse; },
-            .show = [this] { wantPicture(); }};
-}
-
-/// What is measured is drawn anew each time, in full.
-void Viewport::followQuality() {
-    const auto follow = [this] {
-        m_refiner.setOn(!m_continuous);
-        m_refiner.setWanted(m_options.refine ? kShownSamples : 0);
-    };
-    if (m_scene) {
-        static_cast<void>(withScene([&follow](SceneGpu&) -> Status {
-            follow();
-            return Done{};
-        }));
-    } else {
-        follow();
-    }
-    m_motion.setOn(m_options.reduceInMotion && !m_continuous);
-    m_ahead.setOn(m_surface.keepsPictures() && !m_continuous);
-    // Only software renderers draw in parts, and only one picture.
-    m_motion.setRefined(!m_continuous && m_isSoftware && !m_options.sideBySide &&
-                        m_refiner.whyNot().isEmpty());
-}
-
-Result<QString> Viewport::graphicsReport() {
-    QString text;
-    const Status asked = withScene([this, &text](SceneGpu& scene) -> Status {
-        while (scene.tryNext()) {
-        }
-        const auto why = [this](PipelineKind kind) {
-            return m_session.readBack().whyUnavailable(kind).toStdString();
-        };
-        text = QString::fromStdString(toText(
-            hitscope::graphicsReport(m_session.readBack().exactness(), m_session.readBack().verdict(), why)));
-        return Done{};
-    });
-    if (!asked) {
-        return asked.error();
-    }
-    return text;
+void Viewport::paintError(QPaintDevice& picture) {
+    const std::string& error = m_pictures.error();
+    QPainter painter(&picture);
+    painter.fillRect(rect(), palette().color(QPalette::Window));
+    painter.setPen(palette().color(QPalette::WindowText));
+    painter.drawText(rect().adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap,
+                     error.empty() ? tr("Nothing can be drawn.") : QString::fromStdString(error));
 }
 
 }  // namespace hitscope

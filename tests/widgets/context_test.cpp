@@ -178,7 +178,7 @@ void ContextTest::anotherContextShowsTheSame() {
 
     QOpenGLContext* first = viewport.surface().context();
     const QSignalSpy gone(first, &QOpenGLContext::aboutToBeDestroyed);
-    const QSignalSpy again(&viewport, &Viewport::rendererKnown);
+    const QSignalSpy again(&viewport.scene(), &ViewportScene::made);
     // To a window of its own, as when a panel is undocked, and back.
     viewport.setParent(nullptr);
     const auto goesWithTheWindow = qScopeGuard([this, &viewport] {
@@ -314,7 +314,7 @@ void ContextTest::idleDrawsNothing() {
     viewport.frameAll();  // a glide ends, and then nothing more is drawn
     QTRY_VERIFY_WITH_TIMEOUT(!viewport.navigation().isMoving(), kPatience);
     // Until a whole while has passed without a frame.
-    const QSignalSpy frames(&viewport, &Viewport::framePainted);
+    const QSignalSpy frames(&viewport.pictures(), &PictureFlow::framePainted);
     qsizetype last = -1;
     QTRY_VERIFY_WITH_TIMEOUT((last == frames.size()) || ((last = frames.size()), QTest::qWait(400), false),
                              kPatience);

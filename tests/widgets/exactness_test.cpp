@@ -36,7 +36,7 @@ private:
     /// The status bar's entry with the renderer's name.
     static QLabel* rendererCell(MainWindow& window) {
         for (QLabel* label : window.statusBar()->findChildren<QLabel*>()) {
-            if (label->text().startsWith(window.viewport().rendererName())) {
+            if (label->text().startsWith(window.viewport().scene().rendererName())) {
                 return label;
             }
         }
@@ -61,18 +61,18 @@ void ExactnessTest::theStatusBarSaysIt() {
 
     session.settings().setPipeline(PipelineKind::Reference);
     test::readBackOf(session).setVerdict(referenceVerdict({15000, 0, 0.0f}));
-    QCOMPARE(cell->text(), window.viewport().rendererName() + QStringLiteral(", bit-exact"));
+    QCOMPARE(cell->text(), window.viewport().scene().rendererName() + QStringLiteral(", bit-exact"));
     QVERIFY(cell->toolTip().contains(QStringLiteral("Reference: bit-exact in 15,000 vertices compared")));
     QVERIFY(cell->toolTip().contains(QStringLiteral("Transform feedback: not compared yet")));
     const QSignalSpy changes(&session.readBack(), &ReadBack::verdictChanged);
     test::readBackOf(session).setVerdict(referenceVerdict({15000, 12, 0.1f}));
     test::readBackOf(session).setVerdict(referenceVerdict({15000, 12, 0.1f}));
     QCOMPARE(changes.count(), 1);
-    QCOMPARE(cell->text(), window.viewport().rendererName() + QStringLiteral(", not bit-exact"));
+    QCOMPARE(cell->text(), window.viewport().scene().rendererName() + QStringLiteral(", not bit-exact"));
     QVERIFY(cell->toolTip().contains(QStringLiteral("12 of 15,000 vertices differ, by up to 0.1 m")));
     session.settings().setPipeline(PipelineKind::TransformFeedback);  // nothing is said of what was not tried
     test::readBackOf(session).setVerdict(referenceVerdict({15000, 12, 0.1f}));
-    QCOMPARE(cell->text(), window.viewport().rendererName());
+    QCOMPARE(cell->text(), window.viewport().scene().rendererName());
 }
 
 /// One that nobody asked for is left where it is not exact; one that was chosen is not.

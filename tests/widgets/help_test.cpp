@@ -153,7 +153,7 @@ private Q_SLOTS:
         QVERIFY(page != nullptr && page->isVisible());
         QTest::mouseClick(page->findChild<QPushButton*>(QStringLiteral("copy")), Qt::LeftButton);
         const QString text = QGuiApplication::clipboard()->text();
-        QVERIFY(text.contains(m_window->viewport().rendererName()));
+        QVERIFY(text.contains(m_window->viewport().scene().rendererName()));
         QVERIFY(text.contains(QString::fromStdString(describe(*m_session->readBack().exactness()))));
         // Line for line what the command prints.
         QProcess command;

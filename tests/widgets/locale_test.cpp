@@ -131,7 +131,8 @@ void LocaleTest::allNumbersOfTheWindowHaveCommas() {
     QStringList wrong;
     int right = 0;
     for (QString text : shown.texts()) {
-        text.remove(m_window->viewport().rendererName()).remove(m_window->viewport().rendererVersion());
+        text.remove(m_window->viewport().scene().rendererName())
+            .remove(m_window->viewport().scene().rendererVersion());
         text.remove(QStringLiteral("OpenGL 3.3")).remove(QStringLiteral("OpenGL 4.3"));
         if (text.contains(point) || text.contains(mixed)) {
             wrong << text;

@@ -41,7 +41,7 @@ private:
         }
     }
     void waitForRest() {
-        QSignalSpy frames(&viewport(), &Viewport::pictureShown);
+        QSignalSpy frames(&viewport().pictures(), &PictureFlow::shown);
         QTRY_VERIFY_WITH_TIMEOUT(!frames.wait(300), kPatience);
     }
 };
@@ -71,14 +71,14 @@ void PictureSurfaceTest::bothShowTheSame() {
 /// As the screen has it, and not only when somebody asks for it.
 void PictureSurfaceTest::windowShowsTheLastPicture() {
     const QImage before = viewport().surface().grab();
-    const QSignalSpy shown(&viewport(), &Viewport::pictureShown);
+    const QSignalSpy shown(&viewport().pictures(), &PictureFlow::shown);
     Lights lights = m_session->settings().lights();
     lights.directional.direction.x *= -1.0f;
     m_session->settings().setLights(lights);
     QTRY_VERIFY_WITH_TIMEOUT(!shown.isEmpty(), kPatience);
     waitForRest();
-    const QSignalSpy drawn(&viewport(), &Viewport::pictureDrawn);
-    const QImage thumbnail = viewport().thumbnail(canvas().width());
+    const QSignalSpy drawn(&viewport().pictures(), &PictureFlow::drawn);
+    const QImage thumbnail = viewport().pictures().thumbnail(canvas().width());
     QCOMPARE(drawn.size(), 0);
     QVERIFY(test::differing(thumbnail, before, 20) > 100);
     QCOMPARE(test::differing(thumbnail, viewport().surface().grab()), 0);
@@ -98,7 +98,7 @@ void PictureSurfaceTest::grabbedWindowsShowIt() {
 void PictureSurfaceTest::whatLiesOverItDrawsNoPicture() {
     QWidget overlay(&viewport());
     overlay.setGeometry(50, 50, 80, 40);
-    const QSignalSpy drawn(&viewport(), &Viewport::pictureDrawn);
+    const QSignalSpy drawn(&viewport().pictures(), &PictureFlow::drawn);
     QSignalSpy painted(&viewport(), &Viewport::windowPainted);
     overlay.show();
     QVERIFY(painted.wait(kPatience));
@@ -112,7 +112,7 @@ void PictureSurfaceTest::whatLiesOverItDrawsNoPicture() {
 
 void PictureSurfaceTest::anotherSizeGetsItsPicture() {
     m_window->resize(m_window->size() + QSize(40, 30));
-    QTRY_COMPARE_WITH_TIMEOUT(viewport().thumbnail(10'000).size(),
+    QTRY_COMPARE_WITH_TIMEOUT(viewport().pictures().thumbnail(10'000).size(),
                               (viewport().devicePixelRatioF() * QSizeF(canvas().size())).toSize(), kPatience);
     QCOMPARE(canvas().size(), viewport().size());
     hideOverlays();
@@ -121,14 +121,14 @@ void PictureSurfaceTest::anotherSizeGetsItsPicture() {
 
 void PictureSurfaceTest::hiddenOnesGoOnLater() {
     m_window->hide();
-    const QImage before = viewport().thumbnail(canvas().width());
+    const QImage before = viewport().pictures().thumbnail(canvas().width());
     Lights lights = m_session->settings().lights();
     lights.directional.direction.x *= -1.0f;
     m_session->settings().setLights(lights);
     QTest::qWait(100);
     m_window->show();
-    QTRY_VERIFY_WITH_TIMEOUT(test::differing(viewport().thumbnail(canvas().width()), before, 20) > 100,
-                             kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        test::differing(viewport().pictures().thumbnail(canvas().width()), before, 20) > 100, kPatience);
 }
 
 HITSCOPE_TEST(PictureSurfaceTest, QApplication)

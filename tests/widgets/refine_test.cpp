@@ -48,7 +48,7 @@ private Q_SLOTS:
 
 private:
     [[nodiscard]] Viewport& viewport() { return m_window->viewport(); }
-    [[nodiscard]] PictureRefiner& refiner() { return viewport().refiner(); }
+    [[nodiscard]] PictureRefiner& refiner() { return viewport().pictures().refiner(); }
     void waitUntilRefined() {
         QTRY_COMPARE_WITH_TIMEOUT(refiner().samples(), kShownSamples, kPatience);
         QTRY_VERIFY_WITH_TIMEOUT(refiner().wasShown(), kPatience);
@@ -70,7 +70,7 @@ void RefineTest::init() {
 
 void RefineTest::stopsAtSixteen() {
     const QSignalSpy samples(&refiner(), &PictureRefiner::refined);
-    const QSignalSpy frames(&viewport(), &Viewport::framePainted);
+    const QSignalSpy frames(&viewport().pictures(), &PictureFlow::framePainted);
     QTest::qWait(1500);
     QCOMPARE(samples.size(), 0);
     QCOMPARE(frames.size(), 0);
@@ -170,7 +170,7 @@ void RefineTest::slowPicturesAreCoarseFirst() {
             options.refine = refine;
             options.reduceInMotion = true;
         });
-        PictureMotion& motion = viewport().motion();
+        PictureMotion& motion = viewport().pictures().motion();
         motion.setSlow(0.0, 0.0);
         bool wasCoarse = false;
         int frames = 0;
@@ -205,12 +205,13 @@ void RefineTest::eventsComeWhileAPictureIsDrawn() {
     }
     QStringList order;
     QObject listener;
-    connect(&viewport(), &Viewport::pictureDrawn, &listener, [&] {
+    connect(&viewport().pictures(), &PictureFlow::drawn, &listener, [&] {
         order << QStringLiteral("drawn");
         QMetaObject::invokeMethod(
             &listener, [&order] { order << QStringLiteral("event"); }, Qt::QueuedConnection);
     });
-    connect(&viewport(), &Viewport::pictureShown, &listener, [&order] { order << QStringLiteral("shown"); });
+    connect(&viewport().pictures(), &PictureFlow::shown, &listener,
+            [&order] { order << QStringLiteral("shown"); });
     Camera camera = viewport().camera();
     camera.orbit(0.3f, 0.1f);
     viewport().navigation().setCamera(camera);
@@ -241,7 +242,7 @@ void RefineTest::frameRateWaitsForIt() {
 
 void RefineTest::measuringIsWithout() {
     const QSignalSpy samples(&refiner(), &PictureRefiner::refined);
-    const QSignalSpy frames(&viewport(), &Viewport::framePainted);
+    const QSignalSpy frames(&viewport().pictures(), &PictureFlow::framePainted);
     viewport().setDrawsContinuously(true);
     QTRY_VERIFY_WITH_TIMEOUT(frames.size() > 5, kPatience);
     QCOMPARE(samples.size(), 0);

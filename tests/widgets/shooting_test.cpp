@@ -81,7 +81,7 @@ void ShootingTest::init() {
 }
 
 void ShootingTest::waitUntilIdle() {
-    QSignalSpy frames(&viewport(), &Viewport::framePainted);
+    QSignalSpy frames(&viewport().pictures(), &PictureFlow::framePainted);
     do {
         frames.clear();
         QTest::qWait(150);
@@ -121,7 +121,7 @@ void ShootingTest::instantDentIsThereInTwoFrames() {
         const QImage before = viewport().surface().grab();
         waitUntilIdle();
         std::vector<QImage> pictures;
-        const auto grab = connect(&viewport(), &Viewport::framePainted, this, [&] {
+        const auto grab = connect(&viewport().pictures(), &PictureFlow::framePainted, this, [&] {
             pictures.push_back(viewport().surface().grab());  // what is being drawn: nothing is drawn again
         });
         click(centre());
@@ -157,7 +157,7 @@ void ShootingTest::firstFrameAfterIdlenessMovesOn() {
     waitUntilIdle();
     const double before = m_session->simulation().physics().clock().time();
     std::vector<double> times;
-    connect(&viewport(), &Viewport::framePainted, this,
+    connect(&viewport().pictures(), &PictureFlow::framePainted, this,
             [&] { times.push_back(m_session->simulation().physics().clock().time() - before); });
     click(centre());
     QTRY_VERIFY_WITH_TIMEOUT(times.size() >= 2, kPatience);

@@ -253,13 +253,13 @@ void ViewportTest::flyKeysMoveWhileHeld() {
 /// Where frames take too long, the picture is drawn smaller while it moves, and in full size when it rests.
 void ViewportTest::smallerWhileItMoves() {
     Viewport& viewport = m_window->viewport();
-    viewport.motion().hold(PictureDetail{.scale = 0.5f});
+    viewport.pictures().motion().hold(PictureDetail{.scale = 0.5f});
     const auto scalesUntilRest = [&] {
         QTest::keyPress(&viewport, Qt::Key_D);
         float least = 1.0f;
-        QSignalSpy frames(&viewport, &Viewport::framePainted);
+        QSignalSpy frames(&viewport.pictures(), &PictureFlow::framePainted);
         while (frames.size() < 4 && frames.wait(kPatience)) {
-            least = std::min(least, viewport.motion().lastDetail().scale);
+            least = std::min(least, viewport.pictures().motion().lastDetail().scale);
         }
         QTest::keyRelease(&viewport, Qt::Key_D);
         return least;
@@ -269,12 +269,12 @@ void ViewportTest::smallerWhileItMoves() {
     options.reduceInMotion = true;
     viewport.setOptions(options);
     QCOMPARE(scalesUntilRest(), 0.5f);
-    QTRY_COMPARE_WITH_TIMEOUT(viewport.motion().lastDetail().scale, 1.0f, kPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(viewport.pictures().motion().lastDetail().scale, 1.0f, kPatience);
     // A frame alone is no motion, and what is measured has its full size.
     viewport.wantPicture();
-    QSignalSpy frames(&viewport, &Viewport::framePainted);
+    QSignalSpy frames(&viewport.pictures(), &PictureFlow::framePainted);
     QVERIFY(frames.wait(kPatience));
-    QCOMPARE(viewport.motion().lastDetail().scale, 1.0f);
+    QCOMPARE(viewport.pictures().motion().lastDetail().scale, 1.0f);
     viewport.setDrawsContinuously(true);
     QCOMPARE(scalesUntilRest(), 1.0f);
     viewport.setDrawsContinuously(false);
@@ -295,8 +295,8 @@ void ViewportTest::framing() {
 void ViewportTest::aMeshBroughtBeforehandDents() {
     const PreparedMesh mesh = prepareMesh(makeUvSphere(400, 300, 2.0f));
     const ScenePlan plan{.name = {}, .targets = {planMesh(mesh)}};
-    QVERIFY(!m_window->viewport().bringMeshes(plan));  // begun
-    QTRY_VERIFY_WITH_TIMEOUT(m_window->viewport().bringMeshes(plan), kPatience);
+    QVERIFY(!m_window->viewport().scene().bringMeshes(plan));  // begun
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->viewport().scene().bringMeshes(plan), kPatience);
     loadMesh(*m_session, mesh);
     std::vector<Hit> hits(5);
     for (std::size_t i = 0; i < hits.size(); ++i) {
@@ -323,14 +323,14 @@ void ViewportTest::meshesOnTheirWayAreGivenUp() {
         const ScenePlan plan{.name = {}, .targets = {planMesh(makeUvSphere(500, 300, 2.0f))}};
         const std::shared_ptr<const RenderMesh>& mesh = plan.targets.front().shape.render;
         const long holders = mesh.use_count();
-        QVERIFY(!m_window->viewport().bringMeshes(plan));
+        QVERIFY(!m_window->viewport().scene().bringMeshes(plan));
         QVERIFY(mesh.use_count() > holders);
         QTest::qWait(time);
-        m_window->viewport().dropUnusedMeshes();
+        m_window->viewport().scene().dropUnusedMeshes();
         QCOMPARE(mesh.use_count(), holders);
     }
     const ScenePlan plan{.name = {}, .targets = {planMesh(makeUvSphere(500, 300, 2.0f))}};
-    QVERIFY(!m_window->viewport().bringMeshes(plan));
+    QVERIFY(!m_window->viewport().scene().bringMeshes(plan));
     m_window.reset();  // meanwhile
 }
 
@@ -352,7 +352,7 @@ void ViewportTest::manyHitsAreAppliedBetweenFrames() {
         hits[i].constants = {.maxDistance = 0.3f, .power = 0.002f, .maxMagnitude = 0.01f};
     }
     QTRY_VERIFY_WITH_TIMEOUT(m_session->tasks().size() == 0, kPatience);
-    const QSignalSpy frames(&m_window->viewport(), &Viewport::framePainted);
+    const QSignalSpy frames(&m_window->viewport().pictures(), &PictureFlow::framePainted);
     QElapsedTimer clock;
     clock.start();
     QVERIFY(m_session->hits().add(hits).ok());
@@ -377,7 +377,7 @@ void ViewportTest::progressIsNotPaintedInTheMiddleOfAFrame() {
 void ViewportTest::idleDrawsNothing() {
     Viewport& viewport = m_window->viewport();
     QTest::qWait(500);
-    const QSignalSpy frames(&viewport, &Viewport::framePainted);
+    const QSignalSpy frames(&viewport.pictures(), &PictureFlow::framePainted);
     QTest::qWait(500);
     QVERIFY(frames.size() <= 1);
     viewport.setDrawsContinuously(true);

@@ -52,7 +52,7 @@ inline void showReady(MainWindow& window) {
     window.show();
     makeActive(window);
     window.viewport().setFocus();
-    QTRY_VERIFY_WITH_TIMEOUT(!window.viewport().rendererName().isEmpty(), kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(!window.viewport().scene().rendererName().isEmpty(), kPatience);
 }
 
 /// In the menu, as a person does: the window leaves one that nobody asked for where it is not exact.

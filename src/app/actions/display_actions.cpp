@@ -23,8 +23,9 @@ void DisplayActions::fill(QMenu& menu, const std::function<void(QMenu&)>& fillMi
     connect(m_shading, &ShadingActions::switched, this, [this](DisplayOption option, bool on) {
         change([option, on](DisplayOptions& display) { display.*option = on; });
     });
-    connect(&m_viewport.refiner(), &PictureRefiner::failed, m_shading,
-            [this] { m_shading->disable(&DisplayOptions::refine, m_viewport.refiner().whyNot()); });
+    connect(&m_viewport.pictures().refiner(), &PictureRefiner::failed, m_shading, [this] {
+        m_shading->disable(&DisplayOptions::refine, m_viewport.pictures().refiner().whyNot());
+    });
     makeMaterialMenu(*menu.addMenu(tr("&Material")));
     makeNormalsMenu(*menu.addMenu(tr("&Normals")));
     QMenu& textures = *menu.addMenu(tr("Te&xture"));

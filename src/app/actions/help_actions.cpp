@@ -74,7 +74,7 @@ void HelpActions::showKeys() {
 }
 
 void HelpActions::showAboutProgram() {
-    showAbout(&m_window, m_viewport.rendererName(), m_viewport.rendererVersion(),
+    showAbout(&m_window, m_viewport.scene().rendererName(), m_viewport.scene().rendererVersion(),
               verdictText(m_session.readBack().verdict(), m_session.settings().pipeline()));
 }
 
@@ -94,7 +94,7 @@ TextWindow* HelpActions::showText(const QString& name, const QString& title, con
 }
 
 void HelpActions::showGraphics() {
-    const Result<QString> report = m_viewport.graphicsReport();
+    const Result<QString> report = m_viewport.scene().graphicsReport();
     if (!report) {
         Q_EMIT failed(report.error());
         return;

@@ -71,7 +71,7 @@ void ComingPicture::hideAfterFrame() {
         return;
     }
     connect(
-        &m_viewport, &Viewport::framePainted, this,
+        &m_viewport.pictures(), &PictureFlow::framePainted, this,
         [this] {
             hide();
             m_picture = {};

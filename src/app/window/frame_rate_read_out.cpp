@@ -19,11 +19,11 @@ FrameRateReadOut::FrameRateReadOut(FrameRatePanel& frames, Viewport& viewport, S
     : QObject(parent), m_frames(frames), m_viewport(viewport), m_status(status) {
     m_timer.setInterval(kInterval);
     connect(&m_timer, &QTimer::timeout, this, [this] {
-        if (!m_viewport.refiner().isUnderWay()) {
+        if (!m_viewport.pictures().refiner().isUnderWay()) {
             follow();
         }
     });
-    connect(&viewport.refiner(), &PictureRefiner::aboutToShow, this, &FrameRateReadOut::follow);
+    connect(&viewport.pictures().refiner(), &PictureRefiner::aboutToShow, this, &FrameRateReadOut::follow);
     connect(&viewport.session().frameCosts(), &FrameCosts::frameEnded, this, [this] {
         if (!m_timer.isActive()) {
             m_timer.start();
@@ -33,7 +33,7 @@ FrameRateReadOut::FrameRateReadOut(FrameRatePanel& frames, Viewport& viewport, S
 
 void FrameRateReadOut::follow() {
     const FrameTimes::Summary summary = m_frames.summary();
-    m_status.setFrameRate(summary, m_viewport.motion().seenDetail());
+    m_status.setFrameRate(summary, m_viewport.pictures().motion().seenDetail());
     if (summary.recent == 0) {
         m_timer.stop();  // until the next frame
     }

@@ -221,7 +221,7 @@ QDockWidget* WindowDocks::makeHitDock() {
 QDockWidget* WindowDocks::makeFrameRateDock() {
     m_frameRate = new FrameRatePanel(m_parts.session, *m_parts.actions.display->continuous(), costMeter());
     m_frameRate->costs().setCamera([this] { return m_parts.viewport.camera(); });
-    PictureRefiner& refiner = m_parts.viewport.refiner();
+    PictureRefiner& refiner = m_parts.viewport.pictures().refiner();
     m_frameRate->setHeld([&refiner] { return refiner.isUnderWay(); });
     connect(&refiner, &PictureRefiner::aboutToShow, m_frameRate, &FrameRatePanel::refresh);
     return add(QStringLiteral("frameRate"), tr("Frame rate"), m_frameRate, Qt::BottomDockWidgetArea);
