@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QDir>
+#include <QFile>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
 #include <cstring>
@@ -124,11 +126,35 @@ private Q_SLOTS:
         const bool isWhole = back.positions.size() == 5 + 3 + 3;
         QVERIFY(isWhole || back.positions.size() == 4 + 3 + 3);
         for (std::size_t i = 0; i < (isWhole ? 5 : 4); ++i) {
-            QCOMPARE(back.positions[i], from.positions[i]);
+            QCOMPARE(back.positions[i], scene.mesh.positions[i]);
             QVERIFY(i == 4 || glm::distance(back.texcoords[i], from.texcoords[i]) < 1e-6f);
             QVERIFY(i == 4 || glm::length(back.normals[i]) > 0.999f);
             // Light in the file, and sRGB again.
             QVERIFY(glm::distance(back.colours[i], from.colours[i]) < 1e-5f);
+        }
+    }
+
+    void isReadBackAsFarAsItsWeightSays() {
+        Scene scene;
+        scene.dent();
+        const QString path = scene.path("a.gltf");
+        QVERIFY(exportGltf(scene.mesh.what(), path, {}));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QString text = QString::fromUtf8(file.readAll());
+        const QRegularExpression weights(QStringLiteral(R"("weights":\s*\[\s*1\s*\])"));
+        QVERIFY(text.contains(weights));
+        const glm::vec3 from = scene.mesh.original.mesh.positions[2];
+        for (const float weight : {1.0f, 0.5f, 0.0f}) {
+            QString weighed = text;
+            weighed.replace(weights, QStringLiteral(R"("weights":[%1])").arg(weight));
+            writeFile(scene.folder.path(), QStringLiteral("out/a.gltf"), weighed.toStdString());
+            const Result<ImportedMesh> back = importMesh(path);
+            QVERIFY2(back.ok(), qPrintable(messageOf(back)));
+            QCOMPARE(back.value().mesh.positions[2], from + weight * (scene.mesh.positions[2] - from));
+            const QString notes = back.value().notes.join(QLatin1Char(' '));
+            QCOMPARE(notes.contains(QStringLiteral("Morph targets were applied")), weight > 0.0f);
+            QCOMPARE(notes.contains(QStringLiteral("were left out")), weight == 0.0f);
         }
     }
 

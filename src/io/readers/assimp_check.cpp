@@ -35,6 +35,13 @@ bool meshHolds(const aiMesh& mesh) {
         (mesh.mColors[0] && !holds(mesh.mColors[0], vertices)) || !holdsFaces(mesh.mFaces, mesh.mNumFaces)) {
         return false;
     }
+    for (unsigned t = 0; t < mesh.mNumAnimMeshes; ++t) {
+        const aiAnimMesh& target = *mesh.mAnimMeshes[t];
+        if ((target.mVertices && !holds(target.mVertices, vertices)) ||
+            (target.mNormals && !holds(target.mNormals, vertices))) {
+            return false;
+        }
+    }
     for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
         if (!holds(mesh.mFaces[f].mIndices, mesh.mFaces[f].mNumIndices)) {
             return false;

@@ -22,6 +22,7 @@
 #include "io/readers/assimp_check.h"
 #include "io/readers/assimp_files.h"
 #include "io/readers/assimp_materials.h"
+#include "io/readers/assimp_morphs.h"
 #include "io/readers/dae_check.h"
 #include "io/readers/fbx_check.h"
 #include "io/readers/gltf_check.h"
@@ -62,13 +63,20 @@ bool isPlacement(const glm::dmat4& m) {
     return true;
 }
 
+/// How a format's meshes are taken over.
+struct Merging {
+    bool weld = false;   ///< vertices at the same place are one
+    bool morph = false;  ///< by the weights of the file
+};
+
 /// Adds instances of Assimp's meshes to one MeshData.
 class SceneMerger {
 public:
-    SceneMerger(const aiScene& scene, ImportedMesh& imported, bool weld)
-        : m_scene(scene), m_imported(imported), m_weld(weld), m_welder(imported.mesh.positions) {}
+    SceneMerger(const aiScene& scene, ImportedMesh& imported, Merging how)
+        : m_scene(scene), m_imported(imported), m_how(how), m_welder(imported.mesh.positions) {}
 
     Status merge();
+    [[nodiscard]] bool hasMorphed() const { return m_hasMorphed; }
 
 private:
     Status addInstance(const aiMesh& mesh, const std::string& name, const glm::dmat4& transform);
@@ -82,7 +90,8 @@ private:
     const aiScene& m_scene;
     ImportedMesh& m_imported;
     MeshData& m_mesh = m_imported.mesh;
-    bool m_weld;
+    Merging m_how;
+    bool m_hasMorphed = false;
     Welder<> m_welder;
     std::vector<std::uint32_t> m_vertexOf;  ///< of the mesh being added: its vertex -> ours
     std::size_t m_texcoordBase = 0;
@@ -98,20 +107,21 @@ void SceneMerger::addVertices(const aiMesh& mesh, const glm::dmat4& transform) {
     m_vertexOf.clear();
     m_texcoordBase = m_mesh.texcoords.size();
     m_normalBase = m_mesh.normals.size();
+    const MorphedMesh shape(mesh, m_how.morph);
+    m_hasMorphed = m_hasMorphed || shape.isMorphed();
     for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
-        const aiVector3D& p = mesh.mVertices[v];
-        const glm::vec3 position =
-            moved ? glm::vec3(transform * glm::dvec4(p.x, p.y, p.z, 1.0)) : glm::vec3(p.x, p.y, p.z);
-        if (m_weld) {
+        const glm::vec3 p = shape.position(v);
+        const glm::vec3 position = moved ? glm::vec3(transform * glm::dvec4(p, 1.0)) : p;
+        if (m_how.weld) {
             m_vertexOf.push_back(m_welder.index(position));
         } else {
             m_vertexOf.push_back(static_cast<std::uint32_t>(m_mesh.positions.size()));
             m_mesh.positions.push_back(position);
         }
         if (mesh.HasNormals()) {
-            const aiVector3D& n = mesh.mNormals[v];
-            const glm::dvec3 turned = forNormals * glm::dvec3(n.x, n.y, n.z);
-            m_mesh.normals.push_back(moved ? glm::vec3(glm::normalize(turned)) : glm::vec3(n.x, n.y, n.z));
+            const glm::vec3 n = shape.normal(v);
+            const glm::dvec3 turned = forNormals * glm::dvec3(n);
+            m_mesh.normals.push_back(moved ? glm::vec3(glm::normalize(turned)) : n);
         }
         if (mesh.HasTextureCoords(0)) {
             m_mesh.texcoords.emplace_back(mesh.mTextureCoords[0][v].x, mesh.mTextureCoords[0][v].y);
@@ -233,13 +243,19 @@ void dropAddedMaterial(MeshData& mesh) {
     }
 }
 
-void noteWhatIsLeftOut(const aiScene& scene, ImportedMesh& imported) {
-    bool skinned = false;
+void noteWhatIsLeftOut(const aiScene& scene, bool hasMorphed, ImportedMesh& imported) {
+    bool hasBones = false;
+    bool hasMorphs = false;
     for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
-        skinned = skinned || scene.mMeshes[m]->HasBones() || scene.mMeshes[m]->mNumAnimMeshes > 0;
+        hasBones = hasBones || scene.mMeshes[m]->HasBones();
+        hasMorphs = hasMorphs || scene.mMeshes[m]->mNumAnimMeshes > 0;
     }
-    if (skinned || scene.HasAnimations()) {
-        imported.notes += QStringLiteral("Animations, bones and morph targets were left out.");
+    if (hasMorphed) {
+        imported.notes += QStringLiteral("Morph targets were applied with the weights that the file gives.");
+    }
+    if (hasBones || scene.HasAnimations() || (hasMorphs && !hasMorphed)) {
+        imported.notes += hasMorphed ? QStringLiteral("Animations and bones were left out.")
+                                     : QStringLiteral("Animations, bones and morph targets were left out.");
     }
 }
 
@@ -334,18 +350,19 @@ Result<ImportedMesh> readWithAssimp(const QString& path, std::string_view conten
     if (const Status checked = checkAfter(*scene, promised.value()); !checked) {
         return checked.error();
     }
-    const bool unshared = suffix == "fbx" || suffix == "3ds" || suffix == "dae";
+    const bool isGltf = suffix == "gltf" || suffix == "glb";
     ImportedMesh imported;
-    SceneMerger merger(*scene, imported, unshared);
+    SceneMerger merger(*scene, imported,
+                       {.weld = suffix == "fbx" || suffix == "3ds" || suffix == "dae", .morph = isGltf});
     if (const Status merged = merger.merge(); !merged) {
         return merged.error();
     }
-    if (suffix == "gltf" || suffix == "glb") {
+    if (isGltf) {
         turnColoursToSrgb(imported.mesh);
     }
     convertMaterials(*scene, imported);
     dropAddedMaterial(imported.mesh);
-    noteWhatIsLeftOut(*scene, imported);
+    noteWhatIsLeftOut(*scene, merger.hasMorphed(), imported);
     tidy(imported);
     return imported;
 }
