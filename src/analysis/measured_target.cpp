@@ -44,7 +44,9 @@ public:
             case FaceHarm::Kind::Flipped:
                 return isFlipped(m_corners, m_originals, m_positions);
             case FaceHarm::Kind::Degenerated:
-                return measureFace(m_positions, m_corners, glm::dvec3(m_positions[0])).isDegenerate;
+                return FaceMeasurer(m_originals)
+                    .measure(m_positions, m_corners, glm::dvec3(m_positions[0]))
+                    .isDegenerate;
             case FaceHarm::Kind::Stretched:
                 return stretchOf(m_corners, m_originals, m_positions) > stretchLimit;
         }

@@ -2,6 +2,7 @@
 #include "mesh/surface/surface_measurer.h"
 
 #include <QTest>
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -108,6 +109,41 @@ private Q_SLOTS:
         QVERIFY(near(m.aspect.least, 1.0, 1e-12) && near(m.aspect.greatest, 1.0, 1e-12));
         QCOMPARE(m.degenerateFaces, std::size_t{0});
         QCOMPARE(m.flippedFaces, std::size_t{0});
+    }
+
+    /// A cube with one corner pulled out: what counts is the triangles that it is drawn and exported as,
+    /// which do not depend on where the file begins a face.
+    void quadsAreTheTrianglesTheyAreDrawnAs() {
+        PageVector<glm::vec3> corners;
+        for (int i = 0; i < 8; ++i) {
+            corners.emplace_back(i & 1, (i >> 1) & 1, i >> 2);
+        }
+        corners[7] = glm::vec3(2.0f);
+        std::vector<std::vector<std::uint32_t>> faces{{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                                      {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+        for (int turn = 0; turn < 4; ++turn) {
+            const SurfaceMeasures m = measurerOf(meshOf(corners, faces)).measures();
+            // Cut on the diagonals away from that corner: it adds a pyramid to each of its three faces.
+            QVERIFY2(near(m.volume(), 4.0 / 3.0 + 1.0 / 6.0, 1e-12), qPrintable(QString::number(m.volume())));
+            for (std::vector<std::uint32_t>& face : faces) {
+                std::rotate(face.begin(), face.begin() + 1, face.end());
+            }
+        }
+    }
+
+    /// They stay those of the original shape, whatever moves.
+    void trianglesStayAsTheyWereCut() {
+        SurfaceMeasurer measurer = measurerOf(
+            meshOf({{0.0f, 0.0f, 0.0f}, {1.0f, 0.0f, 0.0f}, {1.125f, 1.0f, 0.0f}, {0.0f, 1.0f, 0.0f}},
+                   {{0, 1, 2, 3}}));
+        measurer.move(std::vector<MovedVertex>{{0, {-2.0f, -2.0f, 0.0f}}, {2, {1.0f, 1.0f, 1.0f}}});
+        const glm::dvec3 from(1.0, 0.0, 0.0);  // cut between corners 1 and 3
+        const glm::dvec3 to(0.0, 1.0, 0.0);
+        const double area = 0.5 * glm::length(glm::cross(from - glm::dvec3(-2.0, -2.0, 0.0),
+                                                         to - glm::dvec3(-2.0, -2.0, 0.0))) +
+                            0.5 * glm::length(glm::cross(from - glm::dvec3(1.0), to - glm::dvec3(1.0)));
+        QVERIFY2(near(measurer.measures().faceArea.sum, area, 1e-12),
+                 qPrintable(QString::number(measurer.measures().faceArea.sum)));
     }
 
     void sphereApproachesTheClosedForm() {

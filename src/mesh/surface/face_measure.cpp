@@ -7,8 +7,6 @@
 #include <limits>
 #include <numbers>
 
-#include "mesh/triangulate.h"
-
 namespace hitscope {
 
 namespace {
@@ -26,27 +24,28 @@ void judgeShape(FaceMeasure& measure, std::span<const glm::vec3> positions,
         longest = std::max(longest, length);
         perimeter += length;
     }
-    const double area = std::abs(measure.area);
-    measure.isDegenerate = area <= kDegenerateWidth * longest * longest;
+    measure.isDegenerate = measure.area <= kDegenerateWidth * longest * longest;
     const double corners = static_cast<double>(face.size());
     const double regular = 4.0 * std::tan(std::numbers::pi / corners);
     measure.aspect = measure.isDegenerate ? std::numeric_limits<double>::infinity()
-                                          : longest * perimeter / (regular * area);
+                                          : longest * perimeter / (regular * measure.area);
 }
 
 }  // namespace
 
-FaceMeasure measureFace(std::span<const glm::vec3> positions, std::span<const std::uint32_t> face,
-                        const glm::dvec3& reference) {
+FaceMeasure FaceMeasurer::measure(std::span<const glm::vec3> positions, std::span<const std::uint32_t> face,
+                                  const glm::dvec3& reference) {
+    m_corners.clear();
+    m_triangulator.triangulate(m_originals, face, m_corners);
     FaceMeasure measure;
-    measure.facing = doubleAreaVector(positions, face);
-    const glm::dvec3 a = glm::dvec3(positions[face[0]]) - reference;
-    for (std::size_t i = 1; i + 1 < face.size(); ++i) {
-        const glm::dvec3 b = glm::dvec3(positions[face[i]]) - reference;
-        const glm::dvec3 c = glm::dvec3(positions[face[i + 1]]) - reference;
-        const glm::dvec3 doubleArea = glm::cross(b - a, c - a);
-        const double area = 0.5 * glm::length(doubleArea);
-        measure.area += glm::dot(doubleArea, measure.facing) < 0.0 ? -area : area;
+    for (std::size_t t = 0; t < m_corners.size(); t += 3) {
+        const auto at = [&](std::size_t corner) {
+            return glm::dvec3(positions[face[m_corners[t + corner]]]);
+        };
+        measure.area += 0.5 * glm::length(glm::cross(at(1) - at(0), at(2) - at(0)));
+        const glm::dvec3 a = at(0) - reference;
+        const glm::dvec3 b = at(1) - reference;
+        const glm::dvec3 c = at(2) - reference;
         const double volume = glm::dot(a, glm::cross(b, c)) / 6.0;
         measure.volume += volume;
         measure.moment += volume * 0.25 * (a + b + c);

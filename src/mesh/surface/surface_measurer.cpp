@@ -30,6 +30,11 @@ double distance(const glm::vec3& from, const glm::vec3& to) {
     return glm::length(glm::dvec3(to) - glm::dvec3(from));
 }
 
+bool isDegenerate(std::span<const glm::vec3> positions, std::span<const std::uint32_t> face,
+                  FaceMeasurer& measurer) {
+    return measurer.measure(positions, face, glm::dvec3(positions[face[0]])).isDegenerate;
+}
+
 Box boxOf(std::span<const glm::vec3> positions, const glm::dmat3& rotation, const glm::dvec3& shift) {
     Box box;
     for (const glm::vec3& position : positions) {
@@ -139,10 +144,11 @@ void SurfaceMeasurer::move(std::span<const MovedVertex> moved) {
 
 SurfaceMeasurer::FaceBlock SurfaceMeasurer::measureFaces(std::size_t block) const {
     FaceBlock sums;
+    FaceMeasurer measurer(m_mesh->positions);
     const std::size_t end = std::min((block + 1) * kBlock, m_mesh->faceCount());
     for (std::size_t f = block * kBlock; f < end; ++f) {
         const std::span<const std::uint32_t> face = m_mesh->face(f);
-        const FaceMeasure measure = measureFace(positions(), face, m_reference);
+        const FaceMeasure measure = measurer.measure(positions(), face, m_reference);
         sums.area.add(measure.area);
         sums.volume += measure.volume;
         sums.moment += measure.moment;
@@ -156,8 +162,7 @@ SurfaceMeasurer::FaceBlock SurfaceMeasurer::measureFaces(std::size_t block) cons
         if (isMoved) {
             sums.flipped += isFlipped(face, m_mesh->positions, positions()) ? 1 : 0;
             sums.degenerated +=
-                measure.isDegenerate && !measureFace(m_mesh->positions, face, m_reference).isDegenerate ? 1
-                                                                                                        : 0;
+                measure.isDegenerate && !isDegenerate(m_mesh->positions, face, measurer) ? 1 : 0;
             sums.stretch = std::max(sums.stretch, stretchOf(face, m_mesh->positions, positions()));
         }
     }
@@ -241,6 +246,7 @@ std::vector<FaceHarm> SurfaceMeasurer::harms(float stretchLimit, std::size_t mos
 
 void SurfaceMeasurer::listHarms(std::size_t block, float stretchLimit, std::size_t most,
                                 std::vector<FaceHarm>& harms, std::size_t& found) const {
+    FaceMeasurer measurer(m_mesh->positions);
     const std::size_t end = std::min((block + 1) * kBlock, m_mesh->faceCount());
     for (std::size_t f = block * kBlock; f < end; ++f) {
         const std::span<const std::uint32_t> face = m_mesh->face(f);
@@ -253,8 +259,7 @@ void SurfaceMeasurer::listHarms(std::size_t block, float stretchLimit, std::size
         if (isFlipped(face, m_mesh->positions, positions())) {
             note(FaceHarm::Kind::Flipped);
         }
-        if (measureFace(positions(), face, m_reference).isDegenerate &&
-            !measureFace(m_mesh->positions, face, m_reference).isDegenerate) {
+        if (isDegenerate(positions(), face, measurer) && !isDegenerate(m_mesh->positions, face, measurer)) {
             note(FaceHarm::Kind::Degenerated);
         }
         if (stretch > stretchLimit) {
