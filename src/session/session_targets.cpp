@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "session/session.h"
@@ -139,8 +140,14 @@ void SessionTargets::replace(std::vector<TargetPlan> plans, std::optional<float>
     if (m_targets.size() == 1) {
         m_selected = m_targets.front()->id;
     }
-    const Bounds around = bounds();
-    m_floorHeight = floorHeight.value_or(around.empty() ? 0.0f : around.min.y);
+    if (floorHeight || m_targets.empty()) {
+        m_floorHeight = floorHeight.value_or(0.0f);
+        return;
+    }
+    m_floorHeight = std::numeric_limits<float>::max();
+    for (const std::unique_ptr<Target>& target : m_targets) {
+        m_floorHeight = std::min(m_floorHeight, floorUnder(target->worldBounds()));
+    }
 }
 
 void SessionTargets::restore(std::span<const TargetState> states, float floorHeight, TargetId selected) {

@@ -20,6 +20,8 @@ namespace {
 
 constexpr std::size_t kLarge = 100'000;  // vertices of a mesh whose making takes much memory for a while
 constexpr float kGap = 0.1f;             // of the smaller of the two widths
+constexpr float kFlat = 0.15f;           // as high in widths: higher ones stand on the floor
+constexpr float kClearance = 0.25f;      // widths
 
 bool overlap(const Bounds& a, const Bounds& b) {
     return a.min.x < b.max.x && b.min.x < a.max.x && a.min.y < b.max.y && b.min.y < a.max.y &&
@@ -136,14 +138,19 @@ Bounds worldBounds(const RenderMesh& mesh, const RigidTransform& transform) {
     return world;
 }
 
+float floorUnder(const Bounds& target) {
+    const float width = std::max(target.size().x, target.size().z);
+    return target.min.y - (target.size().y < kFlat * width ? kClearance * width : 0.0f);
+}
+
 void makeRoom(std::vector<TargetPlan>& plans, std::vector<Bounds> taken, std::optional<float> floor) {
     for (TargetPlan& plan : plans) {
         Bounds bounds = worldBounds(*plan.shape.render, plan.transform);
         if (bounds.empty()) {
             continue;
         }
-        if (floor && bounds.min.y < *floor) {
-            plan.transform.position.y += *floor - bounds.min.y;
+        if (const float under = floorUnder(bounds); floor && under < *floor) {
+            plan.transform.position.y += *floor - under;
             bounds = worldBounds(*plan.shape.render, plan.transform);
         }
         plan.transform.position.x += wayOut(bounds, taken);

@@ -30,7 +30,7 @@ struct TargetPlan {
 struct ScenePlan {
     QString name;  ///< for the window's title
     std::vector<TargetPlan> targets;
-    std::optional<float> floorHeight = {};  ///< metres, world y; nothing: under the lowest target
+    std::optional<float> floorHeight = {};  ///< metres, world y; nothing: floorUnder() the lowest target
 };
 
 /// A file as it is now. Reads all of it: on any thread. What cannot be read has no size and no hash.
@@ -48,8 +48,14 @@ struct ScenePlan {
 /// Of the original shape, world. Empty for a mesh without vertices.
 [[nodiscard]] Bounds worldBounds(const RenderMesh& mesh, const RigidTransform& transform);
 
+/// How high a floor is that such a target (world) stands on, metres; one as flat as a sheet or a tile hovers
+/// over it, as high as a quarter of its width: else the floor would hide its dents, and be in the way of
+/// shots into them.
+[[nodiscard]] float floorUnder(const Bounds& target);
+
 /// Moves each plan along x past what it would overlap, the ones before it and `taken` (world), leaving a gap;
-/// and, if `floor` is given, up out of the floor at that height (metres). Plans that are clear stay.
+/// and, if `floor` is given, up until the floor at that height (metres) is no higher than floorUnder() it.
+/// Plans that are clear stay.
 void makeRoom(std::vector<TargetPlan>& plans, std::vector<Bounds> taken, std::optional<float> floor = {});
 
 }  // namespace hitscope
