@@ -35,7 +35,6 @@ struct ChangeTraits {
     bool inShader = true;       ///< change.glsl finds it from the vertex alone; else it comes in a buffer
     bool isAlone = true;        ///< a vertex that did not move has none, whatever its neighbours did
     float usualLargest = 0.5f;  ///< the end of a range that a few hits fill
-    int decimals = 1;           ///< that a range is set with
 };
 
 /// Every quantity, in the order of the enumeration.

@@ -15,7 +15,7 @@ constexpr int kSignificantDigits = 5;
 constexpr int kMostDecimals = 6;
 constexpr int kExponentDecimals = 2;
 constexpr int kLeastMagnitude = -4;
-constexpr int kMostMagnitude = 8;
+constexpr int kMostMagnitude = 6;
 
 constexpr int kUsualDecimals = 3;
 

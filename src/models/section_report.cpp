@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <QStringList>
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -74,7 +75,11 @@ void readCurve(Nearest& best, const TargetSection& section, std::size_t curve, c
 
 QString coordinateText(const SectionView::Axis& axis, const QString& word, double value) {
     const QString name = axis.name != 0 ? QString(QLatin1Char(axis.name)) : word;
-    return name + u' ' + shownNumber(value, 'f', 3);
+    constexpr double kSmall = 0.1;  // metres: three decimals are too few
+    constexpr double kNone = 1.0e-7;
+    const double size = std::abs(value);
+    return name + u' ' +
+           (size < kSmall && size > kNone ? shownNumber(value, 'g', 3) : shownNumber(value + 0.0, 'f', 3));
 }
 
 void addCsv(CsvWriter& csv, const char* state, const TargetSection& section, const SectionView& view,

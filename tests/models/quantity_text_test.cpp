@@ -29,6 +29,7 @@ private Q_SLOTS:
         row(125.0, "125.00");
         row(61196.0, "61,196");
         row(1234567.8, "1,234,568");
+        row(25527300.0, "2.55e+07");
         row(1.0e12, "1.00e+12");
         row(std::numeric_limits<double>::infinity(), "inf");
     }

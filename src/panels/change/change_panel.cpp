@@ -89,12 +89,8 @@ void ChangePanel::fillBoxes() {
     m_ui->map->addItem(iconOf(ColourMap::Viridis, icon), tr("Viridis"));
     m_ui->map->addItem(iconOf(ColourMap::Cividis, icon), tr("Cividis"));
     m_ui->map->addItem(iconOf(ColourMap::CoolWarm, icon), tr("Cool to warm"));
-    for (QDoubleSpinBox* box : {m_ui->low, m_ui->high}) {
+    for (NumberBox* box : {m_ui->low, m_ui->high}) {
         box->setRange(-kLargestValue, kLargestValue);
-        box->setDecimals(3);
-        box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-        box->setKeyboardTracking(false);
-        box->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("-0.0000")) + 28);
         box->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     }
 }
@@ -121,8 +117,8 @@ void ChangePanel::connectMap() {
             setFixedRange(m_ui->low->value(), m_ui->high->value());
         }
     };
-    connect(m_ui->low, &QDoubleSpinBox::valueChanged, this, typed);
-    connect(m_ui->high, &QDoubleSpinBox::valueChanged, this, typed);
+    connect(m_ui->low, &NumberBox::edited, this, typed);
+    connect(m_ui->high, &NumberBox::edited, this, typed);
     connect(m_ui->histogram, &HistogramPlot::rangeDragged, this, &ChangePanel::setFixedRange);
 }
 
@@ -218,8 +214,7 @@ void ChangePanel::show(const ChangeMapOptions& map) {
     m_ui->map->setCurrentIndex(static_cast<int>(style.map));
     m_ui->isolines->setChecked(map.isolines);
     m_ui->automatic->setChecked(style.automatic);
-    for (QDoubleSpinBox* box : {m_ui->low, m_ui->high}) {
-        box->setDecimals(traits.decimals);
+    for (NumberBox* box : {m_ui->low, m_ui->high}) {
         enableIf(*box, !style.automatic, tr("The range is automatic."));
     }
     m_ui->histogram->setLabels(titleOf(traits), tr("vertices"));
@@ -238,8 +233,11 @@ void ChangePanel::showSummary() {
 void ChangePanel::showRange() {
     const QScopedValueRollback showing(m_showing, true);
     const ChangeRange range = shownRange(m_map, m_values.summary());
-    m_ui->low->setValue(static_cast<double>(range.low));
-    m_ui->high->setValue(static_cast<double>(range.high));
+    for (NumberBox* box : {m_ui->low, m_ui->high}) {
+        box->setStepsWithin(static_cast<double>(range.high) - static_cast<double>(range.low));
+    }
+    m_ui->low->showNumber(static_cast<double>(range.low));
+    m_ui->high->showNumber(static_cast<double>(range.high));
     m_ui->histogram->setRange(
         HistogramPlot::Range{static_cast<double>(range.low), static_cast<double>(range.high)});
 }

@@ -77,9 +77,6 @@ CuttingPlanePanel::CuttingPlanePanel(const Session& session, QWidget* parent)
         connect(box, &QDoubleSpinBox::valueChanged, this, &CuttingPlanePanel::editNormal);
     }
     m_ui->offset->setRange(-kLargest, kLargest);
-    m_ui->offset->setKeyboardTracking(false);
-    m_ui->offset->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-    m_ui->offset->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("-00.000 m")) + 32);
     for (QToolButton* button : {m_ui->alongX, m_ui->alongY, m_ui->alongZ, m_ui->flip}) {
         connect(button, &QToolButton::toggled, this, [button] { emphasize(*button); });
     }
@@ -118,7 +115,7 @@ void CuttingPlanePanel::connectPlane() {
     }
     connect(m_ui->fromView, &QToolButton::clicked, this, &CuttingPlanePanel::fromViewWanted);
     connect(m_ui->reset, &QToolButton::clicked, this, &CuttingPlanePanel::resetWanted);
-    connect(m_ui->offset, &QDoubleSpinBox::valueChanged, this, [this](double offset) {
+    connect(m_ui->offset, &NumberBox::edited, this, [this](double offset) {
         edit([offset](CuttingPlane& cut) { cut.offset = static_cast<float>(offset); });
     });
     connect(m_ui->offsetSlider, &QSlider::valueChanged, this, [this](int at) {
@@ -177,7 +174,8 @@ void CuttingPlanePanel::showOffset() {
     const OffsetRange range = offsetRange(m_bounds, m_cut.normal);
     const float span = range.high - range.low;
     const float part = span > 0.0f ? (m_cut.offset - range.low) / span : 0.5f;
-    m_ui->offset->setValue(static_cast<double>(m_cut.offset));
+    m_ui->offset->setStepsWithin(static_cast<double>(span));
+    m_ui->offset->showNumber(static_cast<double>(m_cut.offset));
     if (!m_ui->offsetSlider->isSliderDown()) {
         m_ui->offsetSlider->setValue(static_cast<int>(
             std::lround(std::clamp(part, 0.0f, 1.0f) * static_cast<float>(m_ui->offsetSlider->maximum()))));

@@ -2,11 +2,15 @@
 #include "panels/fields/number_box.h"
 
 #include <QEvent>
+#include <QFocusEvent>
 #include <QLineEdit>
+#include <QLocale>
 #include <QSignalBlocker>
 #include <QStyle>
 #include <QStyleOptionSpinBox>
+#include <QToolTip>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -19,7 +23,39 @@ namespace {
 constexpr int kDecimals = 24;           // none is lost of the smallest number a hit may have
 constexpr double kStepsToNumber = 5.0;  // of its leading digit: 0.5 goes by 0.02 or so
 constexpr double kLeastStep = 1.0e-12;
-constexpr int kWidest = 9;  // characters
+constexpr int kWidest = 9;      // characters
+constexpr int kMostDigits = 6;  // of what is wider, and rounded
+
+struct LengthUnit {
+    QLatin1String name;
+    double metres;
+};
+
+/// Of a number with its unit; empty: it has none of these. The longer names come before those they end with.
+std::optional<LengthUnit> unitAtEnd(const QString& text) {
+    constexpr std::array<LengthUnit, 5> kUnits{{{QLatin1String("um"), 1.0e-6},
+                                                {QLatin1String("mm"), 1.0e-3},
+                                                {QLatin1String("cm"), 1.0e-2},
+                                                {QLatin1String("km"), 1.0e3},
+                                                {QLatin1String("m"), 1.0}}};
+    const auto unit = std::find_if(kUnits.begin(), kUnits.end(),
+                                   [&text](const LengthUnit& each) { return text.endsWith(each.name); });
+    return unit != kUnits.end() ? std::optional(*unit) : std::nullopt;
+}
+
+/// With a point or a comma, of which there is one: boxes show no thousands apart.
+std::optional<double> readNumber(QString text) {
+    text.replace(u',', u'.');
+    bool isNumber = false;
+    const double number = QLocale::c().toDouble(text, &isNumber);
+    return isNumber && std::isfinite(number) ? std::optional(number) : std::nullopt;
+}
+
+QString roundedTo(double value, int digits) {
+    QLocale locale;
+    locale.setNumberOptions(locale.numberOptions() | QLocale::OmitGroupSeparator);
+    return locale.toString(value, 'g', digits);
+}
 
 }  // namespace
 
@@ -70,35 +106,92 @@ QString NumberBox::textFromValue(double value) const {
         const bool touches = !suffix().isEmpty() && !suffix().front().isSpace();  // as "°" does
         return touches ? tr("differ") + u' ' : tr("differ");
     }
-    return shownFloat(static_cast<float>(value));
+    QString text = shownFloat(static_cast<float>(value));
+    for (int digits = kMostDigits; !hasFocus() && text.size() > kWidest && digits > 2; --digits) {
+        text = roundedTo(value, digits);
+    }
+    return text;
 }
 
+/// What was typed, without prefix and suffix; of "30 cm" the unit stays.
 QString NumberBox::number(const QString& text) const {
     QString number = text.trimmed();
-    if (!suffix().isEmpty() && number.endsWith(suffix().trimmed())) {
-        number.chop(suffix().trimmed().size());
+    if (const QString before = prefix().trimmed(); !before.isEmpty() && number.startsWith(before)) {
+        number.remove(0, before.size());
+    }
+    const QString unit = suffix().trimmed();
+    if (!unit.isEmpty() && number.endsWith(unit)) {
+        const QString rest = number.chopped(unit.size());
+        // What is typed comes before the box's own suffix.
+        const bool isWhole = suffix().front().isSpace() && number.endsWith(suffix());
+        const bool isOtherUnit =
+            !isWhole && !rest.isEmpty() && QStringLiteral("umck\u00b5\u03bc").contains(rest.back());
+        number = isOtherUnit ? number : rest;
     }
     return number.trimmed();
 }
 
+/// In the unit that the box shows.
+std::optional<double> NumberBox::read(const QString& text) const {
+    const QString typed = number(text);
+    if (const std::optional<double> plain = readNumber(typed)) {
+        return plain;
+    }
+    const auto shown = unitAtEnd(suffix().trimmed());
+    QString length = typed;
+    length.replace(QChar(0xb5), u'u').replace(QChar(0x3bc), u'u');  // the two characters for micro
+    const auto unit = unitAtEnd(length);
+    if (!shown || !unit || suffix().trimmed() != shown->name) {
+        return std::nullopt;
+    }
+    const std::optional<double> read = readNumber(length.chopped(unit->name.size()).trimmed());
+    return read ? std::optional(*read * (unit->metres / shown->metres)) : std::nullopt;
+}
+
+/// A number that is shown rounded is still the one it was.
 double NumberBox::valueFromText(const QString& text) const {
-    bool isNumber = false;
-    const double read = locale().toDouble(number(text), &isNumber);
-    return isNumber ? read : value();
+    const QString shown = number(text);
+    return shown == textFromValue(value()) ? value() : read(text).value_or(value());
 }
 
 QValidator::State NumberBox::validate(QString& text, int& /*position*/) const {
-    bool isNumber = false;
-    const double read = locale().toDouble(number(text), &isNumber);
-    if (isNumber || (m_differs && number(text) == textFromValue(value()).trimmed())) {
-        return !isNumber || (read >= minimum() && read <= maximum()) ? QValidator::Acceptable
-                                                                     : QValidator::Intermediate;
+    const std::optional<double> typed = read(text);
+    const bool isLeft = number(text) == textFromValue(value()).trimmed();  // as where several differ
+    return isLeft || (typed && *typed >= minimum() && *typed <= maximum()) ? QValidator::Acceptable
+                                                                           : QValidator::Intermediate;
+}
+
+/// The number stays what it was.
+void NumberBox::fixup(QString& text) const {
+    QToolTip::showText(mapToGlobal(rect().bottomLeft()),
+                       tr("“%1” was not taken: type a number from %2 to %3.")
+                           .arg(number(text), shownFloat(static_cast<float>(minimum())),
+                                shownFloat(static_cast<float>(maximum())) + suffix()),
+                       const_cast<NumberBox*>(this));
+}
+
+/// In full while it is edited.
+void NumberBox::showText() {
+    if (!lineEdit()->isModified()) {
+        const QSignalBlocker quiet(lineEdit());
+        lineEdit()->setText(prefix() + textFromValue(value()) + suffix());
     }
-    const QString typed = number(text);
-    const QString allowed = QStringLiteral("0123456789+-eE") + locale().decimalPoint();
-    const bool mayBecome = std::all_of(typed.begin(), typed.end(),
-                                       [&allowed](QChar character) { return allowed.contains(character); });
-    return mayBecome ? QValidator::Intermediate : QValidator::Invalid;
+}
+
+void NumberBox::focusInEvent(QFocusEvent* event) {
+    showText();
+    QDoubleSpinBox::focusInEvent(event);
+}
+
+void NumberBox::focusOutEvent(QFocusEvent* event) {
+    QDoubleSpinBox::focusOutEvent(event);
+    showText();
+}
+
+void NumberBox::setStepsWithin(double span) {
+    if (span > 0.0 && std::isfinite(span)) {
+        setSingleStep(std::pow(10.0, std::floor(std::log10(span)) - 1.0));
+    }
 }
 
 double NumberBox::stepAt(double value) const {
@@ -108,8 +201,7 @@ double NumberBox::stepAt(double value) const {
 
 /// To round numbers, so that steps up and down meet.
 void NumberBox::stepBy(int steps) {
-    const bool isAngle = singleStep() != 0.0;
-    const double step = isAngle ? singleStep() : stepAt(value());
+    const double step = singleStep() != 0.0 ? singleStep() : stepAt(value());
     const double next = std::clamp(std::round(value() / step + steps) * step, minimum(), maximum());
     if (m_differs && next == value()) {
         m_differs = false;

@@ -2,12 +2,16 @@
 #pragma once
 
 #include <QDoubleSpinBox>
+#include <optional>
 
 namespace hitscope {
 
-/// A spin box for a float of any size: shows the shortest decimal that reads back as the same float, and
-/// steps by a fifth of its leading digit, or by singleStep() where that is not 0. It can say that it stands
-/// for several numbers which differ.
+/// A spin box for a float of any size: shows the shortest decimal that reads back as the same float, rounded
+/// where there is no room for it and it is not being edited, and steps by a fifth of its leading digit, or by
+/// singleStep() where that is not 0. It can say that it stands for several numbers which differ.
+///
+/// Takes a decimal point or comma in any locale, and lengths in µm, mm, cm, m or km; what it does not
+/// understand it leaves alone, and says so.
 class NumberBox : public QDoubleSpinBox {
     Q_OBJECT
 public:
@@ -21,7 +25,10 @@ public:
     [[nodiscard]] QString textFromValue(double value) const override;
     [[nodiscard]] double valueFromText(const QString& text) const override;
     [[nodiscard]] QValidator::State validate(QString& text, int& position) const override;
+    void fixup(QString& text) const override;
     void stepBy(int steps) override;
+    /// Steps by a power of ten, a hundredth to a tenth of that; nothing where it is not positive.
+    void setStepsWithin(double span);
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
     /// A double click selects the whole number, and not what is on one side of its point.
@@ -30,7 +37,13 @@ public:
 Q_SIGNALS:
     void edited(double value);  ///< by a person, or setValue()
 
+protected:
+    void focusInEvent(QFocusEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+
 private:
+    [[nodiscard]] std::optional<double> read(const QString& text) const;
+    void showText();
     [[nodiscard]] bool isTyping() const;
     [[nodiscard]] double stepAt(double value) const;
     void finishTyping();

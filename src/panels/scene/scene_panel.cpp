@@ -38,8 +38,8 @@ ScenePanel::ScenePanel(Session& session, SceneModel& model, QWidget* parent)
     makeAddMenu();
     makeActions();
     new TransformFields(session,
-                        {m_ui->positionX, m_ui->positionY, m_ui->positionZ, m_ui->rotationX, m_ui->rotationY,
-                         m_ui->rotationZ},
+                        {{m_ui->positionX, m_ui->positionY, m_ui->positionZ},
+                         {m_ui->rotationX, m_ui->rotationY, m_ui->rotationZ}},
                         this);
     new PhysicsFields(session, *m_ui->dynamic, {m_ui->mass, m_ui->friction, m_ui->restitution},
                       *m_ui->trouble, this);

@@ -5,6 +5,7 @@
 #include <QSignalBlocker>
 
 #include "models/rotation_angles.h"
+#include "panels/fields/number_box.h"
 #include "panels/help/help_text.h"
 
 namespace hitscope {
@@ -20,18 +21,16 @@ constexpr int kNarrowestTransform = 64;  // pixels; what the range would want is
 
 TransformFields::TransformFields(Session& session, const Boxes& boxes, QObject* parent)
     : QObject(parent), m_session(session), m_boxes(boxes) {
-    for (int field = 0; field < 2 * kAxes; ++field) {
-        QDoubleSpinBox& box = *m_boxes[static_cast<std::size_t>(field)];
-        const bool isAngle = field >= kAxes;
-        box.setKeyboardTracking(false);
-        box.setDecimals(isAngle ? 2 : 3);
-        box.setSingleStep(isAngle ? 5.0 : 0.1);
-        box.setRange(isAngle ? -kTurns : -kFarthest, isAngle ? kTurns : kFarthest);
-        box.setMinimumWidth(kNarrowestTransform);
-        box.setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-        connect(&box, &QDoubleSpinBox::valueChanged, this,
-                [this, field](double value) { apply(field, value); });
-        connect(&box, &QDoubleSpinBox::editingFinished, this, [this] { m_stepping = -1; });
+    for (int axis = 0; axis < kAxes; ++axis) {
+        NumberBox& position = *m_boxes.position[static_cast<std::size_t>(axis)];
+        position.setRange(-kFarthest, kFarthest);
+        setUp(axis, position);
+        QDoubleSpinBox& rotation = *m_boxes.rotation[static_cast<std::size_t>(axis)];
+        rotation.setKeyboardTracking(false);
+        rotation.setDecimals(2);
+        rotation.setSingleStep(5.0);
+        rotation.setRange(-kTurns, kTurns);
+        setUp(kAxes + axis, rotation);
     }
     connect(&session, &Session::sceneReplaced, this, &TransformFields::show);
     connect(&session.targets(), &SessionTargets::selectedChanged, this, [this] {
@@ -46,16 +45,27 @@ TransformFields::TransformFields(Session& session, const Boxes& boxes, QObject* 
     show();
 }
 
+void TransformFields::setUp(int field, QDoubleSpinBox& box) {
+    box.setMinimumWidth(kNarrowestTransform);
+    box.setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    connect(&box, &QDoubleSpinBox::valueChanged, this, [this, field](double value) { apply(field, value); });
+    connect(&box, &QDoubleSpinBox::editingFinished, this, [this] { m_stepping = -1; });
+}
+
 void TransformFields::show() {
     const Target* target = m_session.targets().find(m_session.targets().selected());
     const RigidTransform transform = target != nullptr ? target->transform : RigidTransform{};
+    const double size = target != nullptr ? static_cast<double>(target->worldBounds().diagonal()) : 0.0;
     m_angles = toAngles(transform.rotation, m_angles);
-    for (int field = 0; field < 2 * kAxes; ++field) {
-        QDoubleSpinBox& box = *m_boxes[static_cast<std::size_t>(field)];
-        const QSignalBlocker quiet(box);
-        enableIf(box, target != nullptr, QObject::tr("Select a target first."));
-        box.setValue(field < kAxes ? static_cast<double>(transform.position[field])
-                                   : m_angles[field - kAxes]);
+    for (int axis = 0; axis < kAxes; ++axis) {
+        NumberBox& position = *m_boxes.position[static_cast<std::size_t>(axis)];
+        enableIf(position, target != nullptr, QObject::tr("Select a target first."));
+        position.setStepsWithin(size);
+        position.showNumber(static_cast<double>(transform.position[axis]));
+        QDoubleSpinBox& rotation = *m_boxes.rotation[static_cast<std::size_t>(axis)];
+        const QSignalBlocker quiet(rotation);
+        enableIf(rotation, target != nullptr, QObject::tr("Select a target first."));
+        rotation.setValue(m_angles[axis]);
     }
 }
 

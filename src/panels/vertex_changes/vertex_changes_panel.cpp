@@ -89,8 +89,13 @@ void VertexChangesPanel::setUpFilter() {
         m_changes.setFilter(static_cast<VertexChangesModel::Filter>(m_ui->filter->currentData().toInt()));
         updateSummary();
     });
-    connect(m_ui->least, &QDoubleSpinBox::valueChanged, &m_changes,
-            &VertexChangesModel::setLeastDisplacement);
+    connect(m_ui->least, &NumberBox::edited, &m_changes, &VertexChangesModel::setLeastDisplacement);
+    const auto followSize = [this] {
+        // A hundredth of the scene is a fair dent.
+        m_ui->least->setStepsWithin(static_cast<double>(m_session.targets().bounds().diagonal()) / 100.0);
+    };
+    connect(&m_session, &Session::sceneReplaced, this, followSize);
+    followSize();
 }
 
 void VertexChangesPanel::makeActions() {
