@@ -195,8 +195,9 @@ void ChangeValues::measure(TargetValues& values, std::size_t cluster) {
         const double value = shape ? valueOf(values, *shape, vertex) : 0.0;
         values.values[vertex] = static_cast<float>(value);
         const std::uint32_t fileVertex = render.fileVertices[vertex];
-        // A file vertex that is drawn with several normals counts once, and one that is not drawn not at all.
-        if (vertex < render.drawnVertices &&
+        // A file vertex that is drawn with several normals counts once. One that is not drawn has no colour,
+        // but may differ.
+        if ((vertex < render.drawnVertices || *m_quantity == ChangeQuantity::Difference) &&
             (value != 0.0 || (shape && shape->deformed->isChanged(fileVertex))) &&
             render.renderVerticesOf(fileVertex).front() == vertex) {
             summary.add(value);
