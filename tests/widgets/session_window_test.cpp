@@ -66,6 +66,7 @@ private Q_SLOTS:
     void recoveredIsInItsFile_data();
     void recoveredIsInItsFile();
     void nothingIsLeftAfterAnOrderlyEnd();
+    void norOnceItIsAsItWasSaved();
 
 private:
     [[nodiscard]] QString path(const char* name) const { return m_folder.filePath(QLatin1String(name)); }
@@ -337,6 +338,21 @@ void SessionWindowTest::nothingIsLeftAfterAnOrderlyEnd() {
     QVERIFY(m_window->findChild<SessionJournal*>()->writer().wait(kPatience));
     makeWindow();
     QVERIFY(leftBehind().empty());
+}
+
+void SessionWindowTest::norOnceItIsAsItWasSaved() {
+    const auto isKept = [] { return !QDir(journalFolder()).entryList(QDir::Files).isEmpty(); };
+    shoot(2, 11);
+    save(m_folder.filePath(QStringLiteral("undone.hitscope")));
+    QTRY_VERIFY_WITH_TIMEOUT(!isKept(), kPatience);
+    shoot(1, 12);
+    QTRY_VERIFY_WITH_TIMEOUT(isKept(), kPatience);
+    m_session->undo();
+    QTRY_VERIFY_WITH_TIMEOUT(!isKept(), kPatience);
+    QTest::qWait(2 * SessionJournal::kSoon);  // whatever was still to be noted
+    QVERIFY(!isKept());
+    m_session->redo();
+    QTRY_VERIFY_WITH_TIMEOUT(isKept(), kPatience);
 }
 
 HITSCOPE_TEST(SessionWindowTest, QApplication)

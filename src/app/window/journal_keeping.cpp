@@ -45,7 +45,23 @@ void JournalKeeping::finish() {
     m_journal->finish();
 }
 
+/// Undone or redone until it is as its file has it, there is nothing to recover.
+bool JournalKeeping::isAsSaved() const {
+    return m_journal->isBegun() && !m_files.path().isEmpty() && !m_files.isModified();
+}
+
 void JournalKeeping::noteFile() {
+    if (isAsSaved()) {
+        // What else follows the same change may note it down after this.
+        QMetaObject::invokeMethod(
+            this,
+            [this] {
+                if (isAsSaved()) {
+                    m_journal->finish();
+                }
+            },
+            Qt::QueuedConnection);
+    }
     if (m_journal->isBegun() && m_files.path() != m_file) {
         m_file = m_files.path();
         m_journal->writer().setFile(m_file);

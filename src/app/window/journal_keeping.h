@@ -28,6 +28,7 @@ Q_SIGNALS:
     void noticeWanted(const QString& text);  ///< why there can be no journal
 
 private:
+    [[nodiscard]] bool isAsSaved() const;
     void noteFile();
     void takeSaved();
     void takeOpened(const QString& path);
