@@ -295,6 +295,15 @@ void MainWindow::connectMessages() {
 }
 
 void MainWindow::connectViewport() {
+    const auto lookAtAdded = [this](SceneFiles::Into into) {
+        if (into == SceneFiles::Into::ThisScene) {
+            m_viewport->bringSelectionIntoSight();
+        }
+    };
+    connect(m_files, &SceneFiles::opened, this,
+            [lookAtAdded](const auto&, const auto&, SceneFiles::Into into) { lookAtAdded(into); });
+    connect(m_files, &SceneFiles::made, this,
+            [lookAtAdded](const auto&, SceneFiles::Into into) { lookAtAdded(into); });
     const InspectTool& tool = m_viewport->inspectTool();
     connect(&tool, &InspectTool::toolChanged, this,
             [this, &tool] { m_actions.shots->aimPreview().setClicksShoot(tool.tool() == Tool::Shoot); });

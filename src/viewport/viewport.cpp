@@ -204,6 +204,15 @@ void Viewport::frameSelection() {
     m_navigation.frame(target != nullptr ? target->worldBounds() : m_session.targets().bounds());
 }
 
+void Viewport::bringSelectionIntoSight() {
+    constexpr float kInside = 0.9f;  // of the picture: more than a sliver at its edge
+    const Target* target = m_session.targets().find(m_session.targets().selected());
+    if (target != nullptr &&
+        !isInPicture(coreOf(target->worldBounds()), m_navigation.goal(), m_navigation.aspect(), kInside)) {
+        frameAll();
+    }
+}
+
 Ray Viewport::rayThrough(const QPointF& place) const {
     return m_navigation.rayAt({place.x() * width(), place.y() * height()});
 }

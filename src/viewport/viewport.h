@@ -46,7 +46,9 @@ public:
     [[nodiscard]] Navigation& navigation() { return m_navigation; }
     [[nodiscard]] const Camera& camera() const { return m_navigation.camera(); }
     void frameAll(Navigation::Arrival arrival = Navigation::Arrival::Glide);
-    void frameSelection();                           ///< the selected target; all if none is
+    void frameSelection();  ///< the selected target; all if none is
+    /// Frames all where the selected target is out of the picture.
+    void bringSelectionIntoSight();
     void lookAt(const hitscope::VertexRef& vertex);  ///< from now on
     void shootAtCrosshair() { m_trigger.pull(); }
     // At a place of the picture, in logical pixels: as a click there does.

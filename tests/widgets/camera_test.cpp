@@ -18,6 +18,7 @@
 #include "support/test_program.h"
 #include "view/camera_text.h"
 #include "viewport/camera_trail.h"
+#include "viewport/scene_in_sight.h"
 #include "viewport/view_label.h"
 #include "widgets/window_support.h"
 
@@ -59,6 +60,7 @@ private Q_SLOTS:
     void cleanup();
     void padKeysTurnToTheAxes();
     void homeFramesAllAndPressingStopsIt();
+    void whatIsAddedOutOfSightIsFramed();
     void middleDragOrbitsInBlendersPreset();
     void orthographicClickShootsWhereItPoints();
     void shiftWheelSaysTheFieldOfView();
@@ -130,6 +132,24 @@ void CameraWindowTest::homeFramesAllAndPressingStopsIt() {
     QTest::keyClick(&m_window->viewport(), Qt::Key_Home);
     QVERIFY(near(camera().pivot(), before.pivot()));
     m_window->viewport().setDrawsContinuously(false);
+}
+
+void CameraWindowTest::whatIsAddedOutOfSightIsFramed() {
+    Viewport& viewport = m_window->viewport();
+    viewport.navigation().setGlides(false);
+    TargetPlan beside = planMesh(makeCube(2, 0.5f));
+    const auto add = [&](const glm::vec3& position) {
+        beside.transform.position = position;
+        m_session->targets().add({beside});
+        viewport.bringSelectionIntoSight();
+        const Bounds bounds = m_session->targets()[m_session->targets().size() - 1]->worldBounds();
+        return isInPicture(coreOf(bounds), viewport.camera(), viewport.navigation().aspect(), 0.9f);
+    };
+    const Camera before = viewport.camera();
+    QVERIFY(add(before.pivot()));
+    QVERIFY(viewport.camera() == before);  // it is there to be seen
+    QVERIFY(add(before.pivot() + 40.0f * before.distance() * before.right()));
+    QVERIFY(!(viewport.camera() == before));
 }
 
 void CameraWindowTest::middleDragOrbitsInBlendersPreset() {
