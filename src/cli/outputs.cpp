@@ -44,10 +44,9 @@ std::vector<NamedFile> filesOf(const Invocation& given, bool written) {
             files.push_back({QStringLiteral("--") + option.name, path});
         }
     }
-    const QStringList places = given.usage().files.split(u' ');
     for (qsizetype i = 0; i < given.files().size(); ++i) {
         if ((i == given.usage().outputFile) == written) {
-            files.push_back({places.value(i, places.constLast()).remove(u'[').remove(u']'), given.file(i)});
+            files.push_back({given.usage().fileName(i), given.file(i)});
         }
     }
     return files;

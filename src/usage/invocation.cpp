@@ -31,6 +31,10 @@ QString wrongCount(const Usage& usage, qsizetype count) {
              usage.files);
 }
 
+QString orLeaveOut(bool isOptional) {
+    return isOptional ? QStringLiteral(" or leave it out") : QString();
+}
+
 }  // namespace
 
 Invocation::Invocation(const Usage& usage, const QStringList& arguments) : m_usage(usage) {
@@ -50,6 +54,24 @@ Invocation::Invocation(const Usage& usage, const QStringList& arguments) : m_usa
     const qsizetype count = files().size();
     if (!wantsHelp() && (count < usage.leastFiles || (usage.mostFiles >= 0 && count > usage.mostFiles))) {
         complain(wrongCount(usage, count));
+    }
+    if (!wantsHelp()) {
+        complainOfEmpty();
+    }
+}
+
+void Invocation::complainOfEmpty() {
+    for (const UsageOption& option : m_usage.options) {
+        if (option.takes != UsageOption::Takes::Nothing && m_parser.values(option.name).contains(QString()) &&
+            m_parser.isSet(option.name)) {
+            complain(QStringLiteral("--%1 is empty; give it a value%2.").arg(option.name, orLeaveOut(true)));
+        }
+    }
+    for (qsizetype i = 0; i < files().size(); ++i) {
+        if (file(i).isEmpty()) {
+            complain(QStringLiteral("the argument %1 of %2 is empty; give it a value%3.")
+                         .arg(m_usage.fileName(i), m_usage.name, orLeaveOut(i >= m_usage.leastFiles)));
+        }
     }
 }
 

@@ -43,6 +43,8 @@ public:
 
 private:
     [[nodiscard]] const UsageOption& optionOf(const char* name) const;
+    /// An empty word is a shell's variable that is not set, more often than not: it never means "not given".
+    void complainOfEmpty();
 
     const Usage& m_usage;
     QCommandLineParser m_parser;

@@ -81,6 +81,11 @@ QString Usage::lastWord() const {
     return name.section(u' ', -1);
 }
 
+QString Usage::fileName(qsizetype index) const {
+    const QStringList names = files.split(u' ');
+    return names.value(index, names.constLast()).remove(u'[').remove(u']').remove(QStringLiteral("..."));
+}
+
 namespace {
 
 template <class Verbs>

@@ -72,6 +72,7 @@ struct Usage {
 
     [[nodiscard]] const UsageOption* find(const QString& option) const;  ///< null: there is none
     [[nodiscard]] QString lastWord() const;                              ///< of its name: "frame"
+    [[nodiscard]] QString fileName(qsizetype index) const;               ///< of `files`: "MESH|SESSION"
 };
 
 /// A number that a program ends with, and when.

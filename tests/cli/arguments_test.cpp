@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Command lines that say something other than what was meant are refused before anything is done.
+#include <QDir>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "cli/run_cli.h"
+#include "cli/scene_files.h"
+#include "support/test_program.h"
+
+namespace hitscope::arguments_test {
+
+using namespace test;
+
+class ArgumentsTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase();
+    void wrong_data();
+    void wrong();
+
+private:
+    [[nodiscard]] QString in(const char* name) const { return m_folder.filePath(QLatin1String(name)); }
+    QTemporaryDir m_folder;
+};
+
+void ArgumentsTest::initTestCase() {
+    writeBytes(in("ball.obj"), ballObj());
+    const CliRun made = runCli({"shoot", "--pipeline", "reference", "--at", "0,0,0", "--session",
+                                in("one.hitscope"), in("ball.obj")});
+    QVERIFY2(made.status == 0, qPrintable(made.err));
+}
+
+/// In a line, @ stands for the tests' folder and '' for an empty word.
+void ArgumentsTest::wrong_data() {
+    QTest::addColumn<QString>("line");
+    QTest::addColumn<QString>("says");
+    const auto row = [](const char* line, const char* says) {
+        QTest::newRow(line) << QString::fromLatin1(line) << QString::fromLatin1(says);
+    };
+    // An empty word: as a rule a shell's variable that is not set.
+    row("shoot --random 1 --out @d.obj ''", "the argument MESH|SESSION of shoot is empty");
+    row("shoot --random 1 --hits '' @ball.obj", "--hits is empty");
+    row("shoot --random 1 --out '' @ball.obj", "--out is empty");
+    row("shoot --random 1 --session= @ball.obj", "--session is empty");
+    row("shoot --random 1 --session @a.hitscope --session= @ball.obj", "--session is empty");
+    row("shoot --max-distance= @ball.obj", "--max-distance is empty");
+    row("export --target '' --out @a.obj @one.hitscope", "--target is empty");
+    row("compare @ball.obj ''", "the argument B of compare is empty");
+    row("compare '' @ball.obj", "the argument A of compare is empty; give it a value.");
+    row("collect @one.hitscope ''", "the argument FOLDER of collect is empty");
+    row("sequence --turntable 2 '' @ball.obj", "the argument FOLDER|FILM of sequence is empty");
+    row("picture @a.png ''", "the argument MESH|SESSION of picture is empty");
+    row("demo --out '' @ball.obj", "--out is empty");
+    row("info @ball.obj ''", "the argument MESH|SESSION of info is empty");
+    row("sweep --out '' @plan.json", "--out is empty");
+    row("help ''", "the argument VERB of help is empty");
+}
+
+void ArgumentsTest::wrong() {
+    QFETCH(QString, line);
+    QFETCH(QString, says);
+    QStringList arguments = line.split(u' ');
+    for (QString& argument : arguments) {
+        argument.replace(u'@', m_folder.path() + u'/').remove(QStringLiteral("''"));
+    }
+    const QDir::Filters all = QDir::AllEntries | QDir::NoDotAndDotDot;
+    const QStringList before = QDir(m_folder.path()).entryList(all);
+    const CliRun run = runCli(arguments);
+    QVERIFY2(run.status == 2, qPrintable(QString::number(run.status) + u'\n' + run.out + run.err));
+    QVERIFY2(run.err.contains(says), qPrintable(run.err));
+    QCOMPARE(QDir(m_folder.path()).entryList(all), before);
+}
+
+HITSCOPE_TEST(ArgumentsTest, QCoreApplication)
+
+}  // namespace hitscope::arguments_test
+
+#include "arguments_test.moc"
