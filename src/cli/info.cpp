@@ -7,6 +7,7 @@
 #include "analysis/measured_target.h"
 #include "cli/common_options.h"
 #include "cli/opened_scene.h"
+#include "cli/outputs.h"
 #include "cli/verbs.h"
 #include "gl/context.h"
 #include "io/import.h"
@@ -129,6 +130,9 @@ Outcome describeMesh(const QString& path, JsonReport& report, QTextStream& out) 
     }
     const auto shared = std::make_shared<const MeshData>(std::move(imported.value().mesh));
     const MeshData& mesh = *shared;
+    if (Status free = checkReferences(QFileInfo(path).completeBaseName(), path, mesh); !free) {
+        return free;
+    }
     out << path << "\n";
     Table table(out);
     MeshMeasurement measurement = measure(shared);
@@ -201,6 +205,9 @@ Outcome describeFiles(Invocation& given) {
         const Outcome outcome =
             namesSession(path) ? describeSession(path, report, out) : describeMesh(path, report, out);
         out.flush();
+        if (areOutputsRefused()) {
+            return outcome;
+        }
         if (outcome) {
             text += (text.isEmpty() ? QString() : QStringLiteral("\n")) + described;
         } else if (first) {

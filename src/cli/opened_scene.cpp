@@ -93,7 +93,7 @@ Outcome OpenedScene::load(const SceneWish& wish) {
         note(QStringLiteral("note: ") + said);
     }
     loadMesh(*m_session, std::move(imported.value().mesh), QFileInfo(wish.path).absoluteFilePath());
-    return Done{};
+    return checkSources(*m_session);
 }
 
 Outcome OpenedScene::open(const SceneWish& wish) {

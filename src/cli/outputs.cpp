@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/standard_streams.h"
+#include "document/mesh_references.h"
 #include "io/import.h"
 #include "io/save_image.h"
 #include "session/session.h"
@@ -81,9 +82,35 @@ QString wrongSuffix(const NamedFile& output) {
                : QString();
 }
 
-QStringList& keptOutputs() {
-    static QStringList outputs;
+std::vector<NamedFile>& keptOutputs() {
+    static std::vector<NamedFile> outputs;
     return outputs;
+}
+
+bool refusedSoFar = false;
+
+Error refused(Error error) {
+    refusedSoFar = true;
+    return error;
+}
+
+/// Those that replace a file: no other can be one that is read.
+std::vector<NamedFile> replacingOutputs() {
+    std::vector<NamedFile> replacing;
+    for (const NamedFile& output : keptOutputs()) {
+        if (!isStandardStream(output.path) && QFileInfo(output.path).isFile()) {
+            replacing.push_back(output);
+        }
+    }
+    return replacing;
+}
+
+/// Of a file that a target of that name refers to.
+Error readAsWell(const NamedFile& output, const QString& target) {
+    return refused({QStringLiteral("%1 names a file of \"%2\", which is read as well.")
+                        .arg(output.as, target)
+                        .toStdString(),
+                    output.path.toStdString(), "Take another name for the output."});
 }
 
 }  // namespace
@@ -123,20 +150,48 @@ QString wrongOutputs(const Invocation& given) {
 }
 
 void keepOutputs(const Invocation& given) {
-    for (const NamedFile& output : filesOf(given, true)) {
-        keptOutputs() << output.path;
+    keptOutputs() = filesOf(given, true);
+}
+
+bool areOutputsRefused() {
+    return refusedSoFar;
+}
+
+Status checkReferences(const QString& name, const QString& path, const MeshData& mesh) {
+    const std::vector<NamedFile> outputs = replacingOutputs();
+    if (outputs.empty()) {
+        return Done{};  // the usual case: the mesh's file is not looked at again
     }
+    for (const MeshReference& reference : allReferencesOf(path, mesh)) {
+        for (const NamedFile& output : outputs) {
+            if (isSameFile(output.path, reference.path)) {
+                return readAsWell(output, name);
+            }
+        }
+    }
+    return Done{};
 }
 
 Status checkSources(const Session& session) {
     for (const std::unique_ptr<Target>& target : session.targets()) {
-        for (const QString& output : keptOutputs()) {
-            const auto* source = std::get_if<MeshFile>(&target->source);
-            if (source != nullptr && !isStandardStream(output) && isSameFile(output, source->path)) {
-                return Error{"The session's target \"" + target->name.toStdString() +
-                                 "\" is read from that file, and its hits would apply to it again.",
-                             output.toStdString(), "Choose another name for the output."};
+        const auto* source = std::get_if<MeshFile>(&target->source);
+        if (source == nullptr) {
+            continue;
+        }
+        for (const NamedFile& output : keptOutputs()) {
+            if (!isStandardStream(output.path) && isSameFile(output.path, source->path)) {
+                return refused({"The session's target \"" + target->name.toStdString() +
+                                    "\" is read from that file, and its hits would apply to it again.",
+                                output.path.toStdString(), "Choose another name for the output."});
             }
+            for (const LocatedTexture& texture : target->textures) {
+                if (!isStandardStream(output.path) && isSameFile(output.path, texture.path)) {
+                    return readAsWell(output, target->name);
+                }
+            }
+        }
+        if (Status free = checkReferences(target->name, source->path, target->deformed.original()); !free) {
+            return free;
         }
     }
     return Done{};

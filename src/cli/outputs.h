@@ -8,8 +8,9 @@
 #include "usage/invocation.h"
 
 namespace hitscope {
+struct MeshData;
 class Session;
-}
+}  // namespace hitscope
 
 namespace hitscope::cli {
 
@@ -18,11 +19,15 @@ namespace hitscope::cli {
 /// session may be written to the file that it was read from. Empty: nothing.
 [[nodiscard]] QString wrongOutputs(const Invocation& given);
 
-/// Keeps what the command line writes, for checkSources().
+/// Keeps what the command line writes, for what follows.
 void keepOutputs(const Invocation& given);
-/// An error where one of these is a file that a target of the session was read from: the session would refer
-/// to a mesh with dents, and apply its hits to it again.
+/// An error where one of these is a file that a target was read from, or one that this refers to: a session
+/// would refer to a mesh with dents, and apply its hits to it again.
 [[nodiscard]] Status checkSources(const Session& session);
+/// An error where one of these is a file that a mesh refers to: its materials, buffers or pictures.
+[[nodiscard]] Status checkReferences(const QString& name, const QString& path, const MeshData& mesh);
+/// Whether one of these checks ended with an error: nothing may be written then.
+[[nodiscard]] bool areOutputsRefused();
 
 /// Whether some file is written to the standard output, the report apart: nothing else is printed there then.
 [[nodiscard]] bool isOutputTaken(const Invocation& given);

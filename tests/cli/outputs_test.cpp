@@ -2,10 +2,13 @@
 // What hitscope-cli writes replaces nothing that it reads.
 #include <QDir>
 #include <QFile>
+#include <QImage>
 #include <QTemporaryDir>
 #include <QTest>
+#include <map>
 
 #include "cli/run_cli.h"
+#include "cli/scene_files.h"
 #include "support/test_program.h"
 
 namespace hitscope::outputs_test {
@@ -28,6 +31,9 @@ private Q_SLOTS:
         m_folder = std::make_unique<QTemporaryDir>();
         QFile mesh(at("mesh.obj"));
         QVERIFY(mesh.open(QIODevice::WriteOnly));
+        mesh.write("mtllib my paint.mtl\n");
+        writeBytes(at("my paint.mtl"), "newmtl red\nKd 1 0 0\nmap_Kd wood.png\n");
+        QImage(2, 2, QImage::Format_RGB32).save(at("wood.png"));
         for (int y = 0; y <= 8; ++y) {
             for (int x = 0; x <= 8; ++x) {
                 mesh.write(QStringLiteral("v %1 %2 0\n").arg(0.25 * x).arg(0.25 * y).toLatin1());
@@ -44,6 +50,37 @@ private Q_SLOTS:
         const CliRun shot = runCli({"shoot", "--random", "2", "--session", at("s.hitscope"), at("mesh.obj")});
         QVERIFY2(shot.status == 0, qPrintable(shot.err));
         QVERIFY2(shot.out.contains(QStringLiteral("s.hitscope: the session")), qPrintable(shot.out));
+    }
+
+    void whatAMeshRefersToIsNotReplaced_data() {
+        QTest::addColumn<QStringList>("command");
+        const auto row = [](const char* name, const QStringList& command) { QTest::newRow(name) << command; };
+        row("report", {"shoot", "--random", "1", "--report", "@my paint.mtl", "@mesh.obj"});
+        row("hits", {"shoot", "--random", "1", "--hits-out", "@my paint.mtl", "@mesh.obj"});
+        row("picture", {"shoot", "--random", "1", "--picture", "@wood.png", "@mesh.obj"});
+        row("drawn", {"picture", "@wood.png", "@mesh.obj"});
+        row("convert", {"convert", "--format", "obj", "@mesh.obj", "@my paint.mtl"});
+        row("buffer", {"convert", "--format", "obj", "@mesh.gltf", "@mesh.bin"});
+        row("session", {"export", "--report", "@my paint.mtl", "--out", "@x.obj", "@s.hitscope"});
+        row("info", {"info", "--report", "@my paint.mtl", "@mesh.gltf", "@mesh.obj"});
+    }
+    void whatAMeshRefersToIsNotReplaced() {
+        QFETCH(QStringList, command);
+        QVERIFY(runCli({"convert", at("mesh.obj"), at("mesh.gltf")}).status == 0);
+        const QDir::Filters all = QDir::AllEntries | QDir::NoDotAndDotDot;
+        const QStringList before = QDir(m_folder->path()).entryList(all);
+        QVERIFY2(before.contains(QStringLiteral("mesh.bin")), qPrintable(before.join(u' ')));
+        std::map<QString, QByteArray> contents;
+        for (const QString& name : before) {
+            contents[name] = contentOf(m_folder->filePath(name));
+        }
+        const CliRun run = runCli(command.replaceInStrings(QStringLiteral("@"), m_folder->path() + u'/'));
+        QVERIFY2(run.status == 3, qPrintable(QString::number(run.status) + run.out + run.err));
+        QVERIFY2(run.err.contains(QStringLiteral("which is read as well")), qPrintable(run.err));
+        QCOMPARE(QDir(m_folder->path()).entryList(all), before);
+        for (const QString& name : before) {
+            QVERIFY2(contents[name] == contentOf(m_folder->filePath(name)), qPrintable(name));
+        }
     }
 
     void inputsAreNotReplaced_data() {
