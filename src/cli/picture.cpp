@@ -152,11 +152,13 @@ QString baseName(int turntable) {
     return turntable > 0 ? QStringLiteral("turntable") : QStringLiteral("replay");
 }
 
-/// Numbered PNG files in the folder. turntable: how many pictures; 0: a replay. Gives how many there are.
-Result<int> drawPictures(Studio& studio, int turntable, const QString& folder) {
+/// Numbered PNG files in the folder. turntable: how many pictures; 0: a replay, as far as `until`. Gives how
+/// many there are.
+Result<int> drawPictures(Studio& studio, int turntable, std::optional<std::size_t> until,
+                         const QString& folder) {
     Result<PictureSequence> sequence =
         turntable > 0 ? PictureSequence::turntable(studio.opened.gpu(), studio.request, turntable)
-                      : PictureSequence::replay(studio.opened.session(), studio.request);
+                      : PictureSequence::replay(studio.opened.session(), studio.request, until);
     if (!sequence) {
         return sequence.error();
     }
@@ -202,7 +204,7 @@ Outcome drawMany(Invocation& given, const PictureArguments& arguments, int turnt
     if (Outcome opened = open(studio, given, arguments); !opened) {
         return opened;
     }
-    const Result<int> count = drawPictures(studio, turntable, folder);
+    const Result<int> count = drawPictures(studio, turntable, arguments.scene.until, folder);
     if (!count) {
         return count.error();
     }

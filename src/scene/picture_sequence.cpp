@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <glm/gtc/constants.hpp>
 #include <map>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -44,9 +45,12 @@ std::map<TargetId, TargetId> copyScene(const Session& from, Session& to) {
     return became;
 }
 
-std::vector<Hit> enabledHits(const Session& session, const std::map<TargetId, TargetId>& became) {
+/// Of the first `count` hits, or of all that there are.
+std::vector<Hit> enabledHits(const Session& session, std::size_t count,
+                             const std::map<TargetId, TargetId>& became) {
     std::vector<Hit> hits;
-    for (Hit hit : session.hits().history().hits()) {
+    const std::span<const Hit> all = session.hits().history().hits();
+    for (Hit hit : all.first(std::min(count, all.size()))) {
         const auto target = became.find(hit.target);
         if (hit.enabled && target != became.end()) {
             hit.target = target->second;
@@ -120,11 +124,13 @@ PictureSequence PictureSequence::turntable(SceneGpu& scene, const PictureRequest
     return PictureSequence(std::move(parts));
 }
 
-Result<PictureSequence> PictureSequence::replay(const Session& session, const PictureRequest& request) {
+Result<PictureSequence> PictureSequence::replay(const Session& session, const PictureRequest& request,
+                                                std::optional<std::size_t> until) {
     auto parts = std::make_unique<Private>();
     parts->request = request;
     parts->request.section = nullptr;
-    parts->hits = enabledHits(session, copyScene(session, parts->session));
+    const std::size_t count = until.value_or(session.hits().history().size());
+    parts->hits = enabledHits(session, count, copyScene(session, parts->session));
     parts->count = static_cast<int>(parts->hits.size()) + 1;
     parts->ownChange();
     Result<std::unique_ptr<SceneGpu>> scene = SceneGpu::create(parts->session);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <cstddef>
 #include <memory>
 #include <optional>
 
@@ -18,9 +19,10 @@ public:
     [[nodiscard]] static PictureSequence turntable(SceneGpu& scene, const PictureRequest& request, int count);
     /// The targets as they were, then one enabled hit more in each picture. Works on a scene of its own,
     /// which shares the meshes: the session is left alone. Colours are over one range in all pictures, that
-    /// of the request's values; there is no second pipeline.
-    [[nodiscard]] static Result<PictureSequence> replay(const Session& session,
-                                                        const PictureRequest& request);
+    /// of the request's values; there is no second pipeline. `until`: of the first so many hits; nothing: of
+    /// all.
+    [[nodiscard]] static Result<PictureSequence> replay(const Session& session, const PictureRequest& request,
+                                                        std::optional<std::size_t> until = {});
 
     PictureSequence(PictureSequence&&) noexcept;
     PictureSequence& operator=(PictureSequence&&) noexcept;

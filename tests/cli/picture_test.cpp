@@ -175,6 +175,11 @@ void PictureTest::sequences() {
     const QString replay = path(QStringLiteral("replay"));
     QCOMPARE(runCli(words("sequence --replay --shots 2 --size 96x64") << replay).status, 0);
     QVERIFY(QDir(replay).entryList(QDir::Files).size() >= 2);
+    const QString session = path(QStringLiteral("five.hitscope"));
+    QCOMPARE(runCli(words("shoot --random 5 --pipeline reference --session") << session).status, 0);
+    const QString first = path(QStringLiteral("first"));
+    QCOMPARE(runCli(words("sequence --replay --until 2 --size 96x64") << first << session).status, 0);
+    QCOMPARE(QDir(first).entryList(QDir::Files).size(), 3);
 }
 
 void PictureTest::wrongUsage_data() {
