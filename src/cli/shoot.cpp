@@ -200,12 +200,29 @@ QString writtenLines(const ShootOptions& options) {
     return text;
 }
 
+/// How many shots were to be fired, of which `fired` were.
+std::size_t requestedShots(const ShootOptions& options, std::size_t fired) {
+    return options.shots == ShootOptions::Shots::Random ? static_cast<std::size_t>(options.count) : fired;
+}
+
+void noteShots(const Session& session, const ShootOptions& options, std::size_t fired) {
+    if (const std::size_t requested = requestedShots(options, fired); fired < requested) {
+        note(QStringLiteral("note: only %1 of %2: no other place that a shot could strike was found.")
+                 .arg(fired)
+                 .arg(counted(requested, "shot", "shots")));
+    }
+    if (fired > 0 && session.hits().history().size() == 0) {
+        note(QStringLiteral("No shot hit a target."));
+    }
+}
+
 /// What was hit, and whether the mesh is the reference's; then the mesh.
 Outcome reportShots(Invocation& given, OpenedScene& scene, const ShootOptions& options, std::size_t shots) {
     Session& session = scene.session();
     const std::optional<ReferenceAgreement> agreement = agreementOfActive(session);
     JsonReport report("shoot");
-    report.text("scene", options.scenePath).count("shots", shots);
+    report.text("scene", options.scenePath).count("requested", requestedShots(options, shots));
+    report.count("shots", shots);
     report.count("hits", session.hits().history().size());
     addAgreement(report, session, agreement);
     addFingerprints(report, session);
@@ -247,9 +264,7 @@ Outcome shoot(Invocation& given, const ShootOptions& options) {
     if (Outcome written = writeFiles(scene, options, script.value()); !written) {
         return written;
     }
-    if (!script.value().shots.empty() && scene.session().hits().history().size() == 0) {
-        note(QStringLiteral("No shot hit a target."));
-    }
+    noteShots(session, options, script.value().shots.size());
     return reportShots(given, scene, options, script.value().shots.size());
 }
 

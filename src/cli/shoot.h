@@ -56,7 +56,8 @@ struct ShootOptions {
 [[nodiscard]] ShootOptions readShootOptions(Invocation& given);
 
 /// Of random shots: each is aimed at the surface as the ones before have left it, and `play` lets it land.
-/// Gives them all, at the times when they left.
+/// Gives them all, at the times when they left: fewer than asked for where no place is left that a shot could
+/// strike.
 [[nodiscard]] ShotScript shootAtSurface(Session& session, const ShootOptions& options,
                                         const std::function<void(const ShotScript& shot)>& play);
 /// All others, in the scene as it is.

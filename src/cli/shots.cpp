@@ -247,17 +247,24 @@ Result<ShotScript> shotsOf(const Session& session, const ShootOptions& options) 
 
 ShotScript shootAtSurface(Session& session, const ShootOptions& options,
                           const std::function<void(const ShotScript& shot)>& play) {
+    // Hits may push all of the surface below the floor, where no shot gets to.
+    constexpr int kMostFailures = 64;  // in a row, each of thousands of places
     std::mt19937 random(options.seed);
     const SurfacePlaces places(session);
+    const auto count = static_cast<std::size_t>(options.count);
     ShotScript script = newShots(session, options);
     const float away = flightOf(session, options, script);
     const double start = session.simulation().physics().clock().time();
-    for (int i = 0; i < options.count && !places.empty(); ++i) {
+    int failures = places.empty() ? kMostFailures : 0;
+    while (script.shots.size() < count && failures < kMostFailures) {
         const std::optional<Ray> ray = strikingShot(session, places, script, away, random);
         if (!ray) {
+            ++failures;
             continue;
         }
-        ShotScript shot{script.projectile, script.isInstant, {{i == 0 ? 0.0 : options.interval, *ray}}};
+        failures = 0;
+        const double wait = script.shots.empty() ? 0.0 : options.interval;
+        ShotScript shot{script.projectile, script.isInstant, {{wait, *ray}}};
         const double now = session.simulation().physics().clock().time();
         script.shots.push_back({now + shot.shots.front().time - start, *ray});
         play(shot);

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `hitscope-cli shoot` as a person runs it, with no display.
 #include <QImage>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QTemporaryDir>
 #include <QTest>
 #include <set>
 
 #include "cli/run_cli.h"
+#include "cli/scene_files.h"
 #include "support/test_program.h"
 
 namespace hitscope::shoot_test {
@@ -260,6 +263,27 @@ private Q_SLOTS:
         QCOMPARE(formed.readAll().count("crater"), 50);
         const CliRun both = shoot({"--hits", hits, "--mirror", "x"});
         QVERIFY2(both.out.startsWith(QStringLiteral("0 shots, 100 hits")), qPrintable(both.out + both.err));
+    }
+
+    /// Wide and deep dents bring a coarse ball below the floor, where no more shots get to it.
+    void shotsThatFindNoPlaceAreNoted() {
+        const QTemporaryDir folder;
+        const QString mesh = writeBytes(folder.filePath(QStringLiteral("coarse.obj")), ballObj(6, 8));
+        const QStringList deep{"--random",       "400", "--max-magnitude", "1",
+                               "--max-distance", "3",   "--json",          mesh};
+        const CliRun run = shoot(deep);
+        QVERIFY2(run.status == 0, qPrintable(run.err));
+        const QJsonObject report = QJsonDocument::fromJson(run.out.toUtf8()).object();
+        const int shots = report["shots"].toInt();
+        QCOMPARE(report["requested"].toInt(), 400);
+        QVERIFY2(shots > 0 && shots < 400, qPrintable(run.out));
+        QVERIFY2(run.err.contains(QStringLiteral("only %1 of 400 shots").arg(shots)), qPrintable(run.err));
+        QCOMPARE(shoot(deep).out, run.out);
+        // Those that are found are the same, however many are asked for.
+        const CliRun fewer = shoot({"--random", QString::number(shots), "--max-magnitude", "1",
+                                    "--max-distance", "3", "--json", mesh});
+        QCOMPARE(QJsonDocument::fromJson(fewer.out.toUtf8()).object()["positions_fingerprint"],
+                 report["positions_fingerprint"]);
     }
 
     /// A refined picture is not the plain one, and not larger.
