@@ -53,6 +53,24 @@ std::vector<NamedFile> filesOf(const Invocation& given, bool written) {
     return files;
 }
 
+/// What stands for a folder and is the standard output, which is none; empty: nothing.
+QString streamAsFolder(const Invocation& given) {
+    QString what;
+    for (const UsageOption& option : given.usage().options) {
+        if (option.takes == UsageOption::Takes::Folder &&
+            isStandardStream(given.text(option.name.toLatin1().constData()))) {
+            what = QStringLiteral("--") + option.name;
+        }
+    }
+    for (qsizetype i = 0; i < given.files().size(); ++i) {
+        const QString name = given.usage().fileName(i);
+        if (name.startsWith(QLatin1String("FOLDER")) && isStandardStream(given.file(i))) {
+            what = name;
+        }
+    }
+    return what;
+}
+
 QString suffixOf(const QString& path) {
     return QFileInfo(path).suffix().toLower();
 }
@@ -116,6 +134,9 @@ Error readAsWell(const NamedFile& output, const QString& target) {
 }  // namespace
 
 QString wrongOutputs(const Invocation& given) {
+    if (const QString folder = streamAsFolder(given); !folder.isEmpty()) {
+        return QStringLiteral("%1 cannot be the standard output; ./- names a folder called -.").arg(folder);
+    }
     const std::vector<NamedFile> inputs = filesOf(given, false);
     std::vector<NamedFile> before;
     if (given.usage().find(QStringLiteral("json")) != nullptr && given.isSet("json")) {

@@ -134,6 +134,14 @@ Outcome writePicture(OpenedScene& scene, const QString& path, int samples) {
     return image ? Outcome(savePicture(image.value(), path)) : cannotDraw(image.error());
 }
 
+Status writeShots(const ShotScript& script, const QString& path) {
+    if (!isStandardStream(path)) {
+        return writeShotScript(script, path);
+    }
+    const QByteArray bytes = formatShotScript(script);
+    return writeAllTo(path, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
+}
+
 Status writeHits(Session& session, const QString& path) {
     HitEffects effects(session);
     effects.finish();
@@ -153,7 +161,7 @@ Status writeSession(SessionDocument document, const QString& path) {
 Outcome writeFiles(OpenedScene& scene, const ShootOptions& options, const ShotScript& script) {
     Session& session = scene.session();
     if (!options.savePath.isEmpty()) {
-        if (Status saved = writeShotScript(script, options.savePath); !saved) {
+        if (Status saved = writeShots(script, options.savePath); !saved) {
             return saved;
         }
     }

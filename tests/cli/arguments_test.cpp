@@ -55,6 +55,11 @@ void ArgumentsTest::wrong_data() {
     row("info @ball.obj ''", "the argument MESH|SESSION of info is empty");
     row("sweep --out '' @plan.json", "--out is empty");
     row("help ''", "the argument VERB of help is empty");
+    // A folder is no stream.
+    row("demo --out - @ball.obj", "--out cannot be the standard output");
+    row("sweep --out - @plan.json", "--out cannot be the standard output");
+    row("sequence --turntable 2 - @ball.obj", "FOLDER|FILM cannot be the standard output");
+    row("collect @one.hitscope -", "FOLDER cannot be the standard output");
 }
 
 void ArgumentsTest::wrong() {

@@ -44,6 +44,19 @@ private Q_SLOTS:
         QVERIFY(fingerprintOf(other) != fingerprintOf(first));
     }
 
+    void scriptsGoThroughPipes() {
+        const QTemporaryDir folder;
+        const QString script = folder.filePath(QStringLiteral("shots.json"));
+        const QStringList random{"--random", "3", "--seed", "5"};
+        const CliRun filed = shoot(random + QStringList{"--save", script});
+        QFile file(script);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const CliRun piped = shoot(random + QStringList{"--save", "-"});
+        QVERIFY2(piped.status == 0, qPrintable(piped.err));
+        QCOMPARE(piped.out.toUtf8(), file.readAll());
+        QVERIFY(!QFile::exists(QStringLiteral("-")));
+    }
+
     void optionsThatHaveNoEffectTogetherAreRefused_data() {
         QTest::addColumn<QStringList>("options");
         QTest::addColumn<QString>("says");
