@@ -62,7 +62,7 @@ int flushOutput(int status) {
     }
     const QString why = errno != 0 ? qt_error_string(errno) : QStringLiteral("it is closed or full");
     QTextStream(stderr) << "hitscope-cli: The standard output cannot be written: " << why << ".\n";
-    return status == kGood ? kBadInput : status;
+    return status == kGood || status == kDiffers ? kBadInput : status;  // nobody read what differs
 }
 
 }  // namespace hitscope::cli

@@ -247,7 +247,11 @@ private Q_SLOTS:
         const QTemporaryDir folder;
         const QString mesh =
             writeFile(folder, QStringLiteral("a.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+        const QString other =
+            writeFile(folder, QStringLiteral("b.obj"), "v 0 0 0\nv 1 0 0\nv 0 2 0\nf 1 2 3\n");
+        QCOMPARE(runCli({QStringLiteral("compare"), mesh, other}).status, 1);
         for (const QString& line : {QStringLiteral("info ") + mesh, QStringLiteral("--help"),
+                                    QStringLiteral("compare %1 %2").arg(mesh, other),
                                     QStringLiteral("--version"), QStringLiteral("bench frame --help")}) {
             QProcess shell;
             shell.start(
