@@ -54,6 +54,7 @@ ExportOptions readWriting(Invocation& given, const QString& path) {
     options.normals = given.word("normals") == 0 ? NormalMode::True : NormalMode::Paper;
     options.allNormals = given.isSet("all-normals");
     options.readBack = given.isSet("check");
+    options.isAlone = isStandardStream(path);
     return options;
 }
 
@@ -82,6 +83,11 @@ Outcome write(Invocation& given, const Session& session, const std::vector<const
         note(said);
     }
     if (isStream) {
+        if (const QStringList left = scratch.filesBeside(place); !left.isEmpty()) {
+            note(
+                QStringLiteral("note: the mesh refers to files that the standard output has no room for: %1.")
+                    .arg(left.join(QStringLiteral(", "))));
+        }
         return copyToOutput(place);
     }
     JsonReport report(given.usage().name.toStdString());

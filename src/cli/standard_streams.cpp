@@ -62,6 +62,12 @@ ScratchFolder::~ScratchFolder() {
     }
 }
 
+QStringList ScratchFolder::filesBeside(const QString& path) const {
+    QStringList names = QDir(m_path).entryList(QDir::AllEntries | QDir::NoDotAndDotDot);
+    names.removeAll(QFileInfo(path).fileName());
+    return names;
+}
+
 Status ScratchFolder::check() const {
     return m_path.isEmpty()
                ? Status(Error{"No folder for temporary files can be made.", QDir::tempPath().toStdString(),

@@ -3,6 +3,7 @@
 
 #include <QByteArray>
 #include <QString>
+#include <QStringList>
 #include <string_view>
 
 #include "core/result.h"
@@ -29,6 +30,8 @@ public:
 
     [[nodiscard]] Status check() const;  ///< whether it could be made
     [[nodiscard]] QString file(const QString& name) const { return m_path + u'/' + name; }
+    /// What is in it, but for that file.
+    [[nodiscard]] QStringList filesBeside(const QString& path) const;
 
 private:
     QString m_path;

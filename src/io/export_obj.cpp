@@ -52,6 +52,10 @@ Result<std::vector<std::string>> stageMaterials(const ObjExport& what, const QFi
     return std::vector<std::string>{QFileInfo(path).fileName().toStdString()};
 }
 
+QStringList noteOfOthers(const StagedFiles& staged, const ObjExport& what, const QString& path) {
+    return what.isAlone ? QStringList() : staged.noteOfOthers(path);
+}
+
 /// Notes, or why nothing could be staged, or what commit() says.
 Result<QStringList> writeAnew(const ObjExport& what, const QString& path) {
     StagedFiles staged(what.beforeStep);
@@ -68,7 +72,8 @@ Result<QStringList> writeAnew(const ObjExport& what, const QString& path) {
     if (written) {
         written = staged.commit();
     }
-    return written ? Result<QStringList>(staged.noteOfOthers(path)) : Result<QStringList>(written.error());
+    return written ? Result<QStringList>(noteOfOthers(staged, what, path))
+                   : Result<QStringList>(written.error());
 }
 
 Result<SourceCopy> writeFromSource(const ObjExport& what, const QString& path, QStringList& notes) {
@@ -80,7 +85,7 @@ Result<SourceCopy> writeFromSource(const ObjExport& what, const QString& path, Q
         if (const Status named = staged.commit(); !named) {
             return named.error();
         }
-        notes += staged.noteOfOthers(path);
+        notes += noteOfOthers(staged, what, path);
     }
     return copied;
 }

@@ -27,6 +27,7 @@ struct ObjExport {
     QString sourceFolder = {};              ///< where the textures' relative paths start; empty: none to copy
     QString sourcePath = {};                ///< the OBJ file that the mesh was read from; empty: it was not
     const MeshData* asRead = nullptr;       ///< as in MeshExport
+    bool isAlone = false;                   ///< no note of the files beside it
     ExportGoOn goOn = {};                   ///< called now and then
     std::function<void()> beforeStep = {};  ///< StagedFiles' own; for tests
 

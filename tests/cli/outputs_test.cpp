@@ -143,6 +143,19 @@ private Q_SLOTS:
         QVERIFY2(shot.out.startsWith(u'{') && shot.out.trimmed().endsWith(u'}'), qPrintable(shot.out));
     }
 
+    void aStreamHasNoFilesBesideIt() {
+        const CliRun run = runCli({"convert", "--format", "obj", at("mesh.obj"), "-"});
+        QVERIFY2(run.status == 0, qPrintable(run.err));
+        QVERIFY2(!run.err.contains(QStringLiteral("written beside")), qPrintable(run.err));
+        QVERIFY2(run.err.contains(QStringLiteral("no room for: my paint.mtl, wood.png")),
+                 qPrintable(run.err));
+        const CliRun filed = runCli({"convert", at("mesh.obj"), at("copies/x.obj")});
+        QCOMPARE(filed.status, 3);  // no such folder
+        QVERIFY(QDir(m_folder->path()).mkdir(QStringLiteral("copies")));
+        const CliRun again = runCli({"convert", at("mesh.obj"), at("copies/x.obj")});
+        QVERIFY2(again.err.contains(QStringLiteral("Also written beside it")), qPrintable(again.err));
+    }
+
     void picturesThatAreLeftAreNoted() {
         const QStringList sequence{"sequence", "--size", "64x36", "--turntable"};
         QVERIFY(runCli(sequence + QStringList{"3", at("frames"), at("mesh.obj")}).status == 0);

@@ -259,13 +259,14 @@ Status Gathered::merge() {
     return Done{};
 }
 
-Result<QStringList> writeObj(const MeshExport& mesh, const CornerNormalView& normals, bool allNormals,
-                             const QString& path) {
+Result<QStringList> writeObj(const MeshExport& mesh, const CornerNormalView& normals,
+                             const ExportOptions& options, const QString& path) {
     ObjExport file;
     file.mesh = mesh.mesh;
     file.positions = mesh.positions;
     file.normals = normals;
-    file.allNormals = allNormals;
+    file.allNormals = options.allNormals;
+    file.isAlone = options.isAlone;
     file.sourceFolder = mesh.sourceFolder;
     if (!mesh.sourcePath.isEmpty()) {
         file.sourceFolder = QFileInfo(mesh.sourcePath).absolutePath();
@@ -295,7 +296,7 @@ Result<QStringList> writeMesh(const MeshExport& mesh, const CornerNormalView& no
         case ExportFormat::Csv:
             return exportChangesCsv(mesh, path);
     }
-    return writeObj(mesh, normals, options.allNormals, path);
+    return writeObj(mesh, normals, options, path);
 }
 
 Result<ExportReport> write(const SceneExport& what, const QString& path, const ExportGoOn& goOn) {
