@@ -51,6 +51,12 @@ ExportOptions readWriting(Invocation& given, const QString& path) {
         given.complain(
             QStringLiteral("glTF is written into two files; take --format glb for the standard output."));
     }
+    if (given.isSet("all-normals") && options.format != ExportFormat::Obj) {
+        given.complain(QStringLiteral("--all-normals goes with OBJ."));
+    }
+    if (given.isSet("check") && options.format == ExportFormat::Csv) {
+        given.complain(QStringLiteral("--check goes with meshes; CSV is a table."));
+    }
     options.normals = given.word("normals") == 0 ? NormalMode::True : NormalMode::Paper;
     options.allNormals = given.isSet("all-normals");
     options.readBack = given.isSet("check");
@@ -147,6 +153,9 @@ int runExport(Invocation& given) {
     options.inWorld = given.isSet("world");
     options.steps = static_cast<std::size_t>(given.wholeNumber("steps", 0, 100000));
     options.stepOf = static_cast<MorphUnit>(given.word("step-of"));
+    if (options.steps > 0 && options.format != ExportFormat::Glb && options.format != ExportFormat::Gltf) {
+        given.complain(QStringLiteral("--steps goes with GLB and glTF."));
+    }
     if (given.isSet("step-of") && options.steps == 0) {
         given.complain(QStringLiteral("--step-of needs --steps."));
     }

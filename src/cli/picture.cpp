@@ -95,6 +95,9 @@ Outcome open(Studio& studio, Invocation& given, const PictureArguments& argument
     request.height = arguments.height;
     request.samples = arguments.samples;
     request.options = readDisplay(given, document != nullptr ? document->display : DisplayOptions());
+    if (!given.error().isEmpty()) {
+        return Error{given.error().toStdString(), "", ""};  // which is what is said
+    }
     if (request.options.change.on) {
         if (request.options.change.quantity ==
             ChangeQuantity::Difference) {  // of a session: takes two pipelines
@@ -241,7 +244,8 @@ int picture(Invocation& given) {
         given.complain(QString::fromStdString(error.message()));  // before the work
         return kWrongUsage;
     }
-    return finish(drawOne(given, arguments, given.file(0)));
+    const Outcome drawn = drawOne(given, arguments, given.file(0));
+    return given.error().isEmpty() ? finish(drawn) : kWrongUsage;
 }
 
 int sequence(Invocation& given) {
@@ -269,7 +273,8 @@ int sequence(Invocation& given) {
             return finish(ready);  // before the work
         }
     }
-    return finish(drawMany(given, arguments, turntable, given.file(0)));
+    const Outcome drawn = drawMany(given, arguments, turntable, given.file(0));
+    return given.error().isEmpty() ? finish(drawn) : kWrongUsage;
 }
 
 }  // namespace

@@ -84,6 +84,18 @@ void readSize(Invocation& given, PictureArguments& arguments) {
     }
 }
 
+/// What has no effect without --change or --cut, or what a session has of them.
+void refuseIdle(Invocation& given, const DisplayOptions& options) {
+    for (const char* name : {"colour-map", "range", "isolines", "no-labels"}) {
+        if (!options.change.on && given.isSet(name)) {
+            given.complain(QStringLiteral("--%1 goes with --change.").arg(QLatin1String(name)));
+        }
+    }
+    if (!options.cut.on && given.isSet("fill-cut")) {
+        given.complain(QStringLiteral("--fill-cut goes with --cut."));
+    }
+}
+
 void readChange(Invocation& given, ChangeMapOptions& change) {
     if (given.isSet("change")) {
         change.on = true;
@@ -182,7 +194,12 @@ PictureArguments readPictureArguments(Invocation& given, const QString& scene) {
         given.isSet("camera") && !camera) {
         given.complain(QStringLiteral("--camera: ") + QString::fromStdString(camera.error().message()));
     }
-    static_cast<void>(readDisplay(given, {}));  // what is wrong with it is said before the work
+    if (given.isSet("seed") && arguments.shots == 0) {
+        given.complain(QStringLiteral("--seed goes with --shots."));
+    }
+    DisplayOptions any;  // what is wrong with it is said before the work
+    any.change.on = any.cut.on = namesSession(scene);
+    static_cast<void>(readDisplay(given, any));
     return arguments;
 }
 
@@ -216,6 +233,7 @@ DisplayOptions readDisplay(Invocation& given, DisplayOptions options) {
     }
     options.cut.fill = options.cut.fill || given.isSet("fill-cut");
     options.sideBySide = false;
+    refuseIdle(given, options);
     return options;
 }
 

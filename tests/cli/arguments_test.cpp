@@ -55,6 +55,19 @@ void ArgumentsTest::wrong_data() {
     row("info @ball.obj ''", "the argument MESH|SESSION of info is empty");
     row("sweep --out '' @plan.json", "--out is empty");
     row("help ''", "the argument VERB of help is empty");
+    // What has no effect.
+    row("export --check --format csv --out @a.csv @one.hitscope", "--check goes with");
+    row("export --steps 3 --out @a.obj @one.hitscope", "--steps goes with");
+    row("export --all-normals --out @a.ply @one.hitscope", "--all-normals goes with");
+    row("convert --all-normals @ball.obj @a.glb", "--all-normals goes with");
+    for (const char* const option : {"--range 0,1", "--colour-map cividis", "--isolines", "--no-labels"}) {
+        row(qPrintable(QStringLiteral("picture %1 @a.png @ball.obj").arg(option)), "goes with --change");
+        row(qPrintable(QStringLiteral("picture %1 @a.png @one.hitscope").arg(option)), "goes with --change");
+    }
+    row("picture --fill-cut @a.png @ball.obj", "--fill-cut goes with --cut");
+    row("picture --fill-cut @a.png @one.hitscope", "--fill-cut goes with --cut");
+    row("picture --seed 3 @a.png @ball.obj", "--seed goes with --shots");
+    row("sequence --turntable 2 --fill-cut @frames @ball.obj", "--fill-cut goes with --cut");
     // A folder is no stream.
     row("demo --out - @ball.obj", "--out cannot be the standard output");
     row("sweep --out - @plan.json", "--out cannot be the standard output");
