@@ -161,6 +161,12 @@ void SweepTest::plansAreChecked_data() {
                            << "--max-distance takes";
     QTest::newRow("twice") << QByteArray("{\"hitscope-sweep\": 1, \"options\": {\"seed\": [1, 1]}}")
                            << "each once";
+    QTest::newRow("key twice") << QByteArray(
+                                      "{\"hitscope-sweep\": 1,\n\"options\": {\"seed\": 1,\n\"seed\": 2}}")
+                               << "line 3, options, seed: It is there twice.";
+    QTest::newRow("options twice")
+        << QByteArray("{\"hitscope-sweep\": 1, \"options\": {\"seed\": 1}, \"options\": {}}")
+        << "line 1, options: It is there twice.";
     QTest::newRow("null") << QByteArray("{\"hitscope-sweep\": 1, \"options\": {\"seed\": null}}")
                           << "options, seed";
     QTest::newRow("no list") << QByteArray("{\"hitscope-sweep\": 1, \"scenes\": 3, \"options\": {}}")

@@ -8,10 +8,12 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QRegularExpression>
+#include <algorithm>
 #include <cmath>
 #include <map>
 
 #include "cli/shoot.h"
+#include "document/json_text.h"
 #include "io/number_text.h"
 
 namespace hitscope::cli {
@@ -95,6 +97,39 @@ public:
 private:
     std::map<QString, QByteArray> m_files;
 };
+
+/// A key that is there twice, of which one would be lost; with its line.
+Status checkKeys(std::string_view text, const JsonValue& object, const QString& within) {
+    std::vector<JsonMember> members;
+    if (Status read = object.members(members); !read) {
+        return read;
+    }
+    for (auto member = members.begin(); member != members.end(); ++member) {
+        const bool isTwice = std::any_of(members.begin(), member, [&member](const JsonMember& before) {
+            return before.key == member->key;
+        });
+        if (isTwice) {
+            return wrong(QStringLiteral("line %1, %2%3")
+                             .arg(lineAt(text, member->value.offset()))
+                             .arg(within, QString::fromUtf8(member->key)),
+                         QStringLiteral("It is there twice."));
+        }
+        if (within.isEmpty() && isKey(member->key, "options") &&
+            member->value.kind() == JsonValue::Kind::Object) {
+            if (Status inner = checkKeys(text, member->value, QStringLiteral("options, ")); !inner) {
+                return inner;
+            }
+        }
+    }
+    return Done{};
+}
+
+/// That no key is there twice, as Qt's reader takes the last of them.
+Status checkKeys(const QByteArray& json) {
+    const std::string_view text(json.constData(), static_cast<std::size_t>(json.size()));
+    const Result<JsonValue> root = checkJson(text);
+    return root ? checkKeys(text, root.value(), {}) : Status(root.error());
+}
 
 Result<QStringList> scenesOf(const QJsonValue& value) {
     QStringList scenes;
@@ -218,6 +253,9 @@ Result<SweepPlan> readSweepPlan(const QByteArray& json, const QString& folder, c
     const QJsonDocument document = QJsonDocument::fromJson(json, &error);
     if (!document.isObject()) {
         return wrong({}, QStringLiteral("A plan is a JSON object: %1.").arg(error.errorString()));
+    }
+    if (Status keys = checkKeys(json); !keys) {
+        return keys.error();
     }
     const QJsonObject object = document.object();
     const QString version = QStringLiteral("hitscope-sweep");
