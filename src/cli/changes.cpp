@@ -88,6 +88,7 @@ Outcome changes(Invocation& given) {
     if (Outcome opened = openGiven(scene, given); !opened) {
         return opened;
     }
+    scene.noteDiffering();
     const Result<std::vector<const Target*>> targets = targetsNamed(scene.session(), given.text("target"));
     if (!targets) {
         return targets.error();

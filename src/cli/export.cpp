@@ -122,6 +122,7 @@ Outcome exportScene(Invocation& given, const SceneWish& wish, const ExportOption
     if (Outcome opened = scene.open(wish); !opened) {
         return opened;
     }
+    scene.noteDiffering();
     const Session& session = scene.session();
     if (session.targets().empty()) {
         return Error{"The session has no target to write.", wish.path.toStdString(), ""};

@@ -35,6 +35,9 @@ Result<PreparedSession> prepareFrom(const QString& path) {
             error.advice = "The standard input takes a session; name the file of a mesh.";
             return error;
         }
+        for (std::string& place : parsed.value().notKnown) {
+            place = "standard input, " + place;
+        }
         return parsed;
     };
     Result<SessionDocument> document = read();
@@ -61,6 +64,14 @@ Result<PreparedSession> prepareFrom(const QString& path) {
 }
 
 namespace {
+
+/// Whether the positions that were saved are of the same hits, and all of them.
+bool canCompare(const Session& session, const SessionDocument& document, std::size_t shown) {
+    const bool keepsAll = pipelineTraits(document.simulation.pipeline).keepsAll;
+    const bool isSame = document.simulation.pipeline == session.settings().pipeline();
+    return !document.positions.empty() && shown == document.selection.shown.value_or(document.hits.size()) &&
+           (isSame || (keepsAll && session.readBack().droppedHits() == 0));
+}
 
 /// Where a session's numbers are not those of its meshes' files. Of a mesh its import says so.
 void notePlacements(const Session& session) {
@@ -144,6 +155,28 @@ Outcome OpenedScene::use(PipelineKind kind) {
 Outcome OpenedScene::sync() {
     const Status synced = m_gpu->sync();
     return synced ? Outcome(Done{}) : cannotDraw(synced.error());
+}
+
+std::optional<std::vector<TargetId>> OpenedScene::differing() const {
+    return m_prepared && canCompare(*m_session, m_prepared->document, m_session->hits().shown().size())
+               ? std::optional(differingTargets(*m_session, m_prepared->document))
+               : std::nullopt;
+}
+
+QString OpenedScene::namesOf(const std::vector<TargetId>& targets) const {
+    QStringList names;
+    for (const TargetId target : targets) {
+        names << m_session->targets().find(target)->name;
+    }
+    return names.join(QStringLiteral(", "));
+}
+
+void OpenedScene::noteDiffering() const {
+    const std::vector<TargetId> targets = differing().value_or(std::vector<TargetId>());
+    if (!targets.empty()) {
+        note(QStringLiteral("note: the positions are not those that were saved, on %1; replay says more.")
+                 .arg(namesOf(targets)));
+    }
 }
 
 }  // namespace hitscope::cli

@@ -5,6 +5,7 @@
 #include <QStringList>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "cli/command_line.h"
 #include "document/open_document.h"
@@ -49,6 +50,10 @@ public:
     [[nodiscard]] const SessionDocument* document() const {
         return m_prepared ? &m_prepared->document : nullptr;
     }
+    /// The targets whose positions are not those that were saved; nothing: those of these hits are not known.
+    [[nodiscard]] std::optional<std::vector<TargetId>> differing() const;
+    [[nodiscard]] QString namesOf(const std::vector<TargetId>& targets) const;  ///< "ball, cube"
+    void noteDiffering() const;
 
 private:
     [[nodiscard]] Outcome load(const SceneWish& wish);

@@ -12,27 +12,17 @@ namespace hitscope::cli {
 
 namespace {
 
-/// Whether the positions that were saved are of the same hits, and all of them.
-bool canCompare(const Session& session, const SessionDocument& document, std::size_t shown) {
-    const bool keepsAll = pipelineTraits(document.simulation.pipeline).keepsAll;
-    const bool isSame = document.simulation.pipeline == session.settings().pipeline();
-    return !document.positions.empty() && shown == document.selection.shown.value_or(document.hits.size()) &&
-           (isSame || (keepsAll && session.readBack().droppedHits() == 0));
-}
-
 /// Of positions that are not those that were saved.
-Outcome othersThanSaved(const Session& session, const std::vector<TargetId>& differing, const QString& path) {
-    QStringList names;
-    for (const TargetId target : differing) {
-        names << session.targets().find(target)->name;
-    }
+Outcome othersThanSaved(const OpenedScene& scene, const std::vector<TargetId>& differing,
+                        const QString& path) {
+    const Session& session = scene.session();
     const PipelineVerdict* verdict = session.readBack().verdict().of(session.settings().pipeline());
-    return differs({"The positions are not those that were saved, on " +
-                        names.join(QStringLiteral(", ")).toStdString() + ".",
-                    path.toStdString(),
-                    verdict != nullptr && !verdict->isExact()
-                        ? "This pipeline is not exact on this renderer; try --pipeline reference."
-                        : "The meshes have changed, or another renderer made the saved positions."});
+    return differs(
+        {"The positions are not those that were saved, on " + scene.namesOf(differing).toStdString() + ".",
+         path.toStdString(),
+         verdict != nullptr && !verdict->isExact()
+             ? "This pipeline is not exact on this renderer; try --pipeline reference."
+             : "The meshes have changed, or another renderer made the saved positions."});
 }
 
 Outcome replay(Invocation& given, const SceneWish& wish, const QString& out) {
@@ -59,10 +49,9 @@ Outcome replay(Invocation& given, const SceneWish& wish, const QString& out) {
         }
         text += QStringLiteral("In %1: %2\n").arg(QDir::toNativeSeparators(out), exported.name);
     }
-    const bool isKnown = canCompare(session, document, shown);
-    const std::vector<TargetId> differing =
-        isKnown ? differingTargets(session, document) : std::vector<TargetId>();
-    if (!isKnown) {
+    const std::optional<std::vector<TargetId>> compared = scene.differing();
+    const std::vector<TargetId> differing = compared.value_or(std::vector<TargetId>());
+    if (!compared) {
         text += QStringLiteral("the session has no positions of these hits to compare with\n");
         report.nothing("as_saved");
     } else {
@@ -73,7 +62,7 @@ Outcome replay(Invocation& given, const SceneWish& wish, const QString& out) {
     if (!said) {
         return said;
     }
-    return differing.empty() ? Outcome(Done{}) : othersThanSaved(session, differing, wish.path);
+    return differing.empty() ? Outcome(Done{}) : othersThanSaved(scene, differing, wish.path);
 }
 
 int runReplay(Invocation& given) {

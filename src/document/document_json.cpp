@@ -99,6 +99,7 @@ Result<SessionDocument> documentOf(std::string_view text, const JsonValue& value
     if (const Status read = reader.status(); !read) {
         return read.error();
     }
+    document.notKnown = reader.takePassedOver();
     return document;
 }
 

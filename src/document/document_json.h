@@ -17,8 +17,9 @@ inline constexpr int kSessionVersion = 1;
 [[nodiscard]] QByteArray writeDocument(const SessionDocument& document);
 
 /// What writeDocument() wrote, or a person changed since. What is left out is as in a new SessionDocument,
-/// and what is not known is passed over. All numbers have been checked, hits by checkedHit(), and all that
-/// names a target or a hit names one that is there. The error's place is the line and the value.
+/// and what is not known is passed over: SessionDocument::notKnown. All numbers have been checked, hits by
+/// checkedHit(), and all that names a target or a hit names one that is there. The error's place is the line
+/// and the value.
 [[nodiscard]] Result<SessionDocument> readDocument(const QByteArray& bytes);
 
 }  // namespace hitscope

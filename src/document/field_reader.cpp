@@ -53,6 +53,7 @@ std::optional<JsonValue> FieldReader::find(std::string_view key) {
         const std::size_t at = m_next + i < m_members.size() ? m_next + i : m_next + i - m_members.size();
         if (isKey(m_members[at].key, key)) {
             m_next = at;
+            m_asked.set(at);
             return m_members[at].value;
         }
     }
@@ -71,14 +72,53 @@ std::string FieldReader::placeOf(std::string_view key) const {
     return place;
 }
 
+/// "line 7, hit 3, point"
+std::string FieldReader::lineAndPlace(std::string_view key, const JsonValue& value) const {
+    const std::string place = placeOf(key);
+    const std::string line = "line " + std::to_string(lineAt(m_text, value.offset()));
+    return place.empty() ? line : line + ", " + place;
+}
+
+void FieldReader::passOver() {
+    constexpr std::size_t kMostKept = 20;
+    constexpr std::size_t kLongestKey = 40;
+    if (!ok() || m_asked.count() == m_members.size()) {
+        return;
+    }
+    std::vector<PassedOver>& all = root().m_passedOver;
+    for (std::size_t i = 0; i < m_members.size(); ++i) {
+        if (m_asked.test(i)) {
+            continue;
+        }
+        const std::string_view key = m_members[i].key.substr(0, kLongestKey);
+        const auto known = std::find_if(all.begin(), all.end(), [&](const PassedOver& other) {
+            return other.within == m_name && other.key == key;
+        });
+        if (known != all.end()) {
+            ++known->count;
+        } else if (all.size() < kMostKept) {
+            all.push_back({m_name, key, lineAndPlace(key, m_members[i].value)});
+        }
+    }
+}
+
+std::vector<std::string> FieldReader::takePassedOver() {
+    passOver();
+    std::vector<std::string> places;
+    for (const PassedOver& value : m_passedOver) {
+        places.push_back(value.count == 1 ? value.first
+                                          : value.first + " (" + std::to_string(value.count) + " times)");
+    }
+    m_passedOver.clear();
+    return places;
+}
+
 void FieldReader::failAt(std::string_view key, const JsonValue& from, std::string what) {
     FieldReader& outermost = root();
     if (outermost.m_error) {
         return;
     }
-    const std::string place = placeOf(key);
-    const std::string line = "line " + std::to_string(lineAt(m_text, from.offset()));
-    outermost.m_error = Error{"It " + std::move(what), place.empty() ? line : line + ", " + place,
+    outermost.m_error = Error{"It " + std::move(what), lineAndPlace(key, from),
                               "Compare it with a session that Hitscope saved."};
 }
 

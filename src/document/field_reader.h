@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <bitset>
 #include <charconv>
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
@@ -20,8 +21,8 @@
 namespace hitscope {
 
 /// Takes the values of a JSON object into members of ours. A value that is not there leaves the member as it
-/// is, and one that nobody asks for is passed over: files of other versions have less or more. The first
-/// thing that is wrong is kept as the error, and from then on nothing is read.
+/// is, and one that nobody asks for is passed over, and named: files of other versions have less or more. The
+/// first thing that is wrong is kept as the error, and from then on nothing is read.
 class FieldReader {
 public:
     /// `value` is of checked JSON; both outlive this.
@@ -30,6 +31,9 @@ public:
     [[nodiscard]] bool ok() const { return !m_error && (m_parent == nullptr || m_parent->ok()); }
     [[nodiscard]] Status status() const { return m_error ? Status(*m_error) : Status(Done{}); }
     [[nodiscard]] static constexpr bool reads() { return true; }
+    /// Once all has been asked for: places of values that nobody asked for, "line 3, hit 1, powr". Of those
+    /// with one key in things of one kind, the first and how many there are.
+    [[nodiscard]] std::vector<std::string> takePassedOver();
     [[nodiscard]] bool has(std::string_view key) { return find(key).has_value(); }
 
     /// Says that something is wrong with a value, or, with an empty key, with all of this.
@@ -69,6 +73,7 @@ public:
             value = {};
             FieldReader within(m_text, *found, this, key, 0);
             Fields<Value>::visit(within, value);
+            within.passOver();
         }
     }
     /// Likewise, and what the object does not say stays as it was.
@@ -77,6 +82,7 @@ public:
         if (const std::optional<JsonValue> found = find(key)) {
             FieldReader inner(m_text, *found, this, key, 0);
             Fields<Value>::visit(inner, value);
+            inner.passOver();
         }
     }
     /// Objects; `one` is what people call one of them. The list replaces what is there.
@@ -93,6 +99,7 @@ public:
             values.emplace_back();
             FieldReader within(m_text, *item, this, one, values.size());
             Fields<Value>::visit(within, values.back());
+            within.passOver();
         }
     }
     template <class Value>
@@ -152,6 +159,9 @@ private:
     void failOutOfRange(std::string_view key, const JsonValue& from, double lowest, double highest);
     void failAt(std::string_view key, const JsonValue& from, std::string what);
     [[nodiscard]] std::string placeOf(std::string_view key) const;
+    [[nodiscard]] std::string lineAndPlace(std::string_view key, const JsonValue& value) const;
+    /// Tells the root of the values that nobody has asked for.
+    void passOver();
     FieldReader& root() { return m_parent != nullptr ? m_parent->root() : *this; }
 
     template <class Number>
@@ -184,13 +194,23 @@ private:
         }
     }
 
+    /// A key that is not known, in things of one kind.
+    struct PassedOver {
+        std::string_view within;
+        std::string_view key;
+        std::string first;  ///< its place
+        std::size_t count = 1;
+    };
+
     std::string_view m_text;
     JsonValue m_value;
     FieldReader* m_parent;
     std::string_view m_name;  ///< in the parent
     std::size_t m_index;      ///< in a list, from 1; 0: in none
     std::vector<JsonMember> m_members;
-    std::size_t m_next = 0;  ///< of the members: the one that is likely asked for next
+    std::size_t m_next = 0;                        ///< of the members: the one that is likely asked for next
+    std::bitset<JsonValue::kMostMembers> m_asked;  ///< for which members
+    std::vector<PassedOver> m_passedOver;          ///< of all, in the root
     std::optional<Error> m_error;
 };
 

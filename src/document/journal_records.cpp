@@ -337,6 +337,7 @@ Result<SessionDocument> snapshotOf(std::string_view json) {
     if (!document) {
         return document;
     }
+    document.value().notKnown.clear();  // the lines of a journal are nobody's
     const Status referred = checkReferences(document.value());
     return referred ? std::move(document) : Result<SessionDocument>(referred.error());
 }

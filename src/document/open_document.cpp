@@ -113,6 +113,11 @@ Result<PreparedSession> prepareSession(SessionDocument document, const MeshPlace
                                        const PrepareControl& control) try {
     PreparedSession prepared;
     prepared.document = std::move(document);
+    for (const std::string& place : prepared.document.notKnown) {
+        prepared.notes << translated(QT_TRANSLATE_NOOP("hitscope::OpenDocument",
+                                                       "%1 is not known to this version and was left out."))
+                              .arg(QString::fromStdString(place));
+    }
     const std::vector<SavedTarget>& targets = prepared.document.targets;
     SourceMeshes meshes(places, control, prepared.troubles, prepared.notes);
     for (std::size_t i = 0; i < targets.size(); ++i) {

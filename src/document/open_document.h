@@ -45,7 +45,7 @@ struct PreparedSession {
     SceneState scene;
     std::shared_ptr<const Image> coverTexture;  ///< null: none
     std::vector<MeshTrouble> troubles;          ///< to be told before it is restored
-    QStringList notes;                          ///< of the import
+    QStringList notes;  ///< of the import, and of what the document has that is not known
 
     [[nodiscard]] bool isWhole() const;  ///< nothing is left out
 };

@@ -112,6 +112,9 @@ struct SessionDocument {
     std::vector<SavedPositions>
         positions;          ///< as the pipeline made them; those that are not there: not known
     std::vector<Hit> hits;  ///< in order; each has passed checkedHit()
+    /// Of what was read: where it has values that this version does not know ("line 3, hit 1, powr"). They
+    /// are lost when it is saved.
+    std::vector<std::string> notKnown;
 
     // What a document may hold at most.
     static constexpr std::uint32_t kMostId = 0x7fffffffu;  ///< of a target

@@ -42,7 +42,13 @@ Result<SessionDocument> readSessionFile(const QString& path) {
                          "See that its disk is there."});
     }
     Result<SessionDocument> document = readDocument(bytes);
-    return document ? std::move(document) : Result<SessionDocument>(at(path, document.error()));
+    if (!document) {
+        return at(path, document.error());
+    }
+    for (std::string& place : document.value().notKnown) {
+        place = path.toStdString() + ", " + place;
+    }
+    return document;
 }
 
 Status writeSessionFile(SessionDocument document, const QString& path) {

@@ -86,6 +86,14 @@ private Q_SLOTS:
 
     void otherPositionsAreAnError() {
         const CliRun run = replay({session("0123456789abcdef"), "--pipeline", "reference"});
+        for (const QStringList& more :
+             {QStringList{"changes"}, {"export", "--out", m_folder.filePath("differs.obj")}}) {
+            const CliRun noted =
+                runCli(more + QStringList{"--pipeline", "reference", m_folder.filePath("a.hitscope")});
+            QCOMPARE(noted.status, 0);
+            QVERIFY2(noted.err.contains(QStringLiteral("not those that were saved, on Ball")),
+                     qPrintable(noted.err));
+        }
         QCOMPARE(run.status, 1);
         QVERIFY2(run.err.contains("The positions are not those that were saved, on Ball."),
                  qPrintable(run.err));
