@@ -64,7 +64,8 @@ Verb helpVerb() {
                            QStringLiteral("hitscope-cli help shoot")},
                           {QStringLiteral("Complete command lines in this shell."),
                            QStringLiteral("source <(hitscope-cli help --completion bash)")}},
-             .mostFiles = 2},
+             .mostFiles = 2,
+             .takesVerbs = true},
             help};
 }
 

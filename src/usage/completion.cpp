@@ -19,6 +19,19 @@ QStringList optionNames(const Usage& usage) {
     return names << QStringLiteral("--help");
 }
 
+bool takesFiles(const Usage& usage) {
+    return usage.mostFiles != 0 && !usage.takesVerbs;
+}
+
+template <class Verbs>
+QString lastWords(const Verbs& verbs) {
+    QStringList words;
+    for (const Usage& verb : verbs) {
+        words << verb.lastWord();
+    }
+    return words.join(u' ');
+}
+
 QString functionName(const ProgramUsage& program) {
     QString name = program.all.name;
     return u'_' + name.replace(u'-', u'_');
@@ -36,8 +49,23 @@ QString firstSentence(const QString& help) {
 
 // Bash ---------------------------------------------------------------------------------------------------
 
+/// Names of files, each a word of its own whatever is in it; -d: of folders. Of quoted ones readline knows
+/// more.
+QString bashFiles(const ProgramUsage& program, const QString& which) {
+    return QStringLiteral("%1_files %2 \"$current\"").arg(functionName(program), which);
+}
+
+QString bashFilesFunction(const ProgramUsage& program) {
+    return functionName(program) + QStringLiteral(
+                                       "_files() {\n"
+                                       "    mapfile -t COMPREPLY < <(compgen \"$1\" -- \"$2\")\n"
+                                       "    compopt -o filenames 2>/dev/null\n"
+                                       "    [[ ${#COMPREPLY[@]} -gt 0 ]] || compopt -o default 2>/dev/null\n"
+                                       "}\n");
+}
+
 /// A case of `$previous`: what an option's value may be.
-QString bashValue(const UsageOption& option) {
+QString bashValue(const ProgramUsage& program, const UsageOption& option) {
     QString reply;
     switch (option.takes) {
         case Takes::Word:
@@ -52,10 +80,10 @@ QString bashValue(const UsageOption& option) {
             break;
         case Takes::File:
         case Takes::Output:
-            reply = QStringLiteral("COMPREPLY=($(compgen -f -- \"$current\"))");
+            reply = bashFiles(program, QStringLiteral("-f"));
             break;
         case Takes::Folder:
-            reply = QStringLiteral("COMPREPLY=($(compgen -d -- \"$current\"))");
+            reply = bashFiles(program, QStringLiteral("-d"));
             break;
         case Takes::Text:
             reply = QStringLiteral("COMPREPLY=()");
@@ -66,10 +94,10 @@ QString bashValue(const UsageOption& option) {
     return QStringLiteral("                %1) %2; return ;;\n").arg(dashed(option), reply);
 }
 
-QString bashVerb(const Usage& usage, const QString& pattern) {
+QString bashVerb(const ProgramUsage& program, const Usage& usage, const QString& pattern) {
     QString values;
     for (const UsageOption& option : usage.options) {
-        values += bashValue(option);
+        values += bashValue(program, option);
     }
     QString text = QStringLiteral("        %1)\n").arg(pattern);
     if (!values.isEmpty()) {
@@ -78,16 +106,7 @@ QString bashVerb(const Usage& usage, const QString& pattern) {
     }
     return text + QStringLiteral("            options=\"%1\"%2 ;;\n")
                       .arg(optionNames(usage).join(u' '),
-                           usage.mostFiles == 0 ? QStringLiteral("; files=no") : QString());
-}
-
-template <class Verbs>
-QString lastWords(const Verbs& verbs) {
-    QStringList words;
-    for (const Usage& verb : verbs) {
-        words << verb.lastWord();
-    }
-    return words.join(u' ');
+                           takesFiles(usage) ? QString() : QStringLiteral("; files=no"));
 }
 
 /// For the word that is the verb, `at` the place it has.
@@ -103,6 +122,19 @@ QString bashProposesVerbs(const Verbs& verbs, int at, const QString& condition) 
         .arg(lastWords(verbs));
 }
 
+/// For what `verb` takes: the name of a verb, and of one within it.
+QString bashProposesNames(const ProgramUsage& program, const Usage& verb) {
+    const QString isIt = QStringLiteral("$verb == %1 && ").arg(verb.name);
+    QString text = bashProposesVerbs(program.verbs, 2, isIt);
+    for (const Usage& named : program.verbs) {
+        if (!named.verbs.empty()) {
+            text += bashProposesVerbs(named.verbs, 3,
+                                      isIt + QStringLiteral("${COMP_WORDS[2]} == %1 && ").arg(named.name));
+        }
+    }
+    return text;
+}
+
 QString bash(const ProgramUsage& program) {
     QString cases;
     QString proposals = QStringLiteral("    local verb=${COMP_WORDS[1]}\n");
@@ -110,37 +142,40 @@ QString bash(const ProgramUsage& program) {
         proposals += bashProposesVerbs(program.verbs, 1, {});
     }
     for (const Usage& verb : program.verbs) {
-        cases += bashVerb(verb, verb.name);
+        cases += bashVerb(program, verb, verb.name);
+        if (verb.takesVerbs) {
+            proposals += bashProposesNames(program, verb);
+        }
         if (verb.verbs.empty()) {
             continue;
         }
         proposals += bashProposesVerbs(verb.verbs, 2, QStringLiteral("$verb == %1 && ").arg(verb.name));
         proposals += QStringLiteral("    [[ $verb == %1 ]] && verb+=\" ${COMP_WORDS[2]}\"\n").arg(verb.name);
         for (const Usage& within : verb.verbs) {
-            cases += bashVerb(within, u'"' + within.name + u'"');
+            cases += bashVerb(program, within, u'"' + within.name + u'"');
         }
     }
-    cases += bashVerb(program.all, QStringLiteral("*"));
+    cases += bashVerb(program, program.all, QStringLiteral("*"));
     const QString function = functionName(program);
     QString text = QStringLiteral("# Completion for bash, made of the program's table of options.\n") +
-                   function +
+                   bashFilesFunction(program) + function +
                    QStringLiteral(
                        "() {\n"
                        "    local current=${COMP_WORDS[COMP_CWORD]} options= files=yes\n"
                        "    local previous=${COMP_WORDS[COMP_CWORD-1]}\n"
                        "    # Readline takes = for a word of its own.\n"
                        "    [[ $current == = ]] && current=\n"
-                       "    [[ $previous == = ]] && previous=${COMP_WORDS[COMP_CWORD-2]}\n"
-                       "    compopt -o filenames 2>/dev/null\n");
+                       "    [[ $previous == = ]] && previous=${COMP_WORDS[COMP_CWORD-2]}\n");
     text += proposals + QStringLiteral("    case $verb in\n") + cases +
             QStringLiteral(
                 "    esac\n"
                 "    if [[ $current == -* ]]; then\n"
                 "        COMPREPLY=($(compgen -W \"$options\" -- \"$current\"))\n"
                 "    elif [[ $files == yes ]]; then\n"
-                "        COMPREPLY=($(compgen -f -- \"$current\"))\n"
+                "        %1\n"
                 "    fi\n"
-                "}\n");
+                "}\n")
+                .arg(bashFiles(program, QStringLiteral("-f")));
     return text + QStringLiteral("complete -F %1 %2\n").arg(function, program.all.name);
 }
 
@@ -189,18 +224,32 @@ QString zshOption(const UsageOption& option) {
     return zshQuoted(spec);
 }
 
-QString zshArguments(const Usage& usage) {
+/// What a verb takes that takes the name of a verb.
+QString zshNames(const ProgramUsage& program) {
+    QString text = QStringLiteral(" '1:verb:(%1)'").arg(lastWords(program.verbs));
+    QStringList within;
+    for (const Usage& verb : program.verbs) {
+        if (!verb.verbs.empty()) {
+            within << lastWords(verb.verbs);
+        }
+    }
+    return text + QStringLiteral(" '2:what:(%1)'\n").arg(within.join(u' '));
+}
+
+QString zshArguments(const ProgramUsage& program, const Usage& usage) {
     QString text = QStringLiteral("_arguments");
     for (const UsageOption& option : usage.options) {
         text += QStringLiteral(" \\\n                ") + zshOption(option);
     }
     text += QStringLiteral(" \\\n                '--help[Print the help]'");
-    return text + (usage.mostFiles == 0 ? QStringLiteral("\n") : QStringLiteral(" '*:file:_files'\n"));
+    return text + (usage.takesVerbs    ? zshNames(program)
+                   : takesFiles(usage) ? QStringLiteral(" '*:file:_files'\n")
+                                       : QStringLiteral("\n"));
 }
 
 /// Proposes these, or what the one that is there takes.
 template <class Verbs>
-QString zshVerbs(const Verbs& verbs) {
+QString zshVerbs(const ProgramUsage& program, const Verbs& verbs) {
     QString text = QStringLiteral("    verbs=(\n");
     for (const Usage& verb : verbs) {
         text +=
@@ -212,8 +261,8 @@ QString zshVerbs(const Verbs& verbs) {
         "    case $verb in\n");
     for (const Usage& verb : verbs) {
         text += QStringLiteral("        %1)\n").arg(verb.lastWord()) +
-                (verb.verbs.empty() ? QStringLiteral("            ") + zshArguments(verb)
-                                    : zshVerbs(verb.verbs)) +
+                (verb.verbs.empty() ? QStringLiteral("            ") + zshArguments(program, verb)
+                                    : zshVerbs(program, verb.verbs)) +
                 QStringLiteral("            ;;\n");
     }
     return text + QStringLiteral("    esac\n");
@@ -224,10 +273,10 @@ QString zsh(const ProgramUsage& program) {
         QStringLiteral("#compdef %1\n# Completion for zsh, made of the program's table of options.\n")
             .arg(program.all.name);
     if (program.verbs.isEmpty()) {
-        return text + zshArguments(program.all);
+        return text + zshArguments(program, program.all);
     }
     return text + functionName(program) + QStringLiteral("() {\n    local -a verbs\n    local verb\n") +
-           zshVerbs(program.verbs) + QStringLiteral("}\n%1 \"$@\"\n").arg(functionName(program));
+           zshVerbs(program, program.verbs) + QStringLiteral("}\n%1 \"$@\"\n").arg(functionName(program));
 }
 
 // Fish ---------------------------------------------------------------------------------------------------
@@ -239,7 +288,7 @@ QString fishQuoted(QString text) {
 }
 
 QString fishOptions(const ProgramUsage& program, const Usage& usage, const QString& condition) {
-    QString text = usage.mostFiles == 0 && !condition.isEmpty()
+    QString text = !takesFiles(usage) && !condition.isEmpty()
                        ? QStringLiteral("complete -c %1%2 -f\n").arg(program.all.name, condition)
                        : QString();
     for (const UsageOption& option : usage.options) {
@@ -290,6 +339,21 @@ QString fishFunctions(const QString& name) {
         .arg(name);
 }
 
+/// For what `verb` takes: the name of a verb, and of one within it.
+QString fishNames(const ProgramUsage& program, const Usage& verb) {
+    const auto line = [&](const QString& words, const QString& names) {
+        return QStringLiteral("complete -c %1 -f -n '_%2_is %3' -a %4\n")
+            .arg(program.all.name, functionName(program), words, fishQuoted(names));
+    };
+    QString text = line(verb.name, lastWords(program.verbs));
+    for (const Usage& named : program.verbs) {
+        if (!named.verbs.empty()) {
+            text += line(verb.name + u' ' + named.name, lastWords(named.verbs));
+        }
+    }
+    return text;
+}
+
 /// Proposes these where `condition` holds, and what each of them takes.
 template <class Verbs>
 QString fishVerbs(const ProgramUsage& program, const Verbs& verbs, const QString& condition) {
@@ -299,6 +363,7 @@ QString fishVerbs(const ProgramUsage& program, const Verbs& verbs, const QString
                     .arg(program.all.name, fishQuoted(condition), verb.lastWord(), fishQuoted(verb.about));
     }
     for (const Usage& verb : verbs) {
+        text += verb.takesVerbs ? fishNames(program, verb) : QString();
         text += verb.verbs.empty()
                     ? fishOptions(program, verb,
                                   QStringLiteral(" -n '_%1_begins %2'").arg(functionName(program), verb.name))

@@ -68,6 +68,7 @@ struct Usage {
     int leastFiles = 0;
     int mostFiles = 0;           ///< -1: any number
     int outputFile = -1;         ///< which of them is written; -1: none
+    bool takesVerbs = false;     ///< they are no files but the name of a verb, and of one within it
     std::vector<Usage> verbs{};  ///< within this verb; where there are some, one of them follows
 
     [[nodiscard]] const UsageOption* find(const QString& option) const;  ///< null: there is none

@@ -67,6 +67,10 @@ void CompletionTest::proposes_data() {
     row("compare --wi", "--with", "--confidence");
     row("bench compare bench.j", "bench.json", "--with", "*:file:_files");
     row("bench frame x", "", "*:file:_files");
+    row("help sho", "shoot", "bench.json");
+    row("help bench fr", "frame", "bench.json");
+    row("info two", "two words.json", "--with", "*:file:_files");
+    row("shoot --hits two", "two words.json", "--with", "--hits=");
     row("shoot --pipeline comp", "compute", "bench.json", "(uniform-array uniform-array-culled");
 }
 
@@ -80,6 +84,7 @@ void CompletionTest::proposes() {
     }
     const auto in = [this](const char* name) { return m_folder.filePath(QLatin1String(name)); };
     writeBytes(in("bench.json"), "{}");
+    writeBytes(in("two words.json"), "{}");
     writeBytes(in("xylophone.json"), "{}");
     writeBytes(in("completion"), runCli({"help", "--completion", shell}).out.toUtf8());
     writeBytes(in("ask"), scriptOf(shell).toUtf8());
