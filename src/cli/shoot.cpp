@@ -112,24 +112,28 @@ Outcome repeatHits(OpenedScene& scene, const ShootOptions& options) {
     return synced;
 }
 
+/// That has all of the scene in it.
+Camera cameraFor(const OpenedScene& scene, float aspect) {
+    Camera camera;
+    const Bounds bounds = scene.session().targets().bounds();
+    camera.setSceneRadius(bounds.empty() ? 1.0f : bounds.diagonal());
+    camera.frame(bounds, aspect);
+    return camera;
+}
+
 /// As whoever opens it will see it.
 CapturedView viewOf(const OpenedScene& scene) {
     if (const SessionDocument* document = scene.document()) {
         return {document->cameras, document->display};
     }
-    Camera camera;
-    const Bounds bounds = scene.session().targets().bounds();
-    camera.setSceneRadius(bounds.empty() ? 1.0f : bounds.diagonal());
-    camera.frame(bounds, 16.0f / 9.0f);
-    return {{cameraText(camera), {}}, {}};
+    return {{cameraText(cameraFor(scene, 16.0f / 9.0f)), {}}, {}};
 }
 
 Outcome writePicture(OpenedScene& scene, const QString& path, int samples) {
     PictureRequest request;
     request.samples = samples;
     request.options.shadows = samples > 1;  // as with picture
-    request.camera.frame(scene.session().targets().bounds(),
-                         static_cast<float>(request.width) / static_cast<float>(request.height));
+    request.camera = cameraFor(scene, static_cast<float>(request.width) / static_cast<float>(request.height));
     const Result<Image> image = drawPicture(scene.gpu(), request);
     return image ? Outcome(savePicture(image.value(), path)) : cannotDraw(image.error());
 }

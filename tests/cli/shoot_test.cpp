@@ -315,6 +315,35 @@ private Q_SLOTS:
         QVERIFY(refined != plain);
     }
 
+    /// A ball of 1 mm fills the picture as one of 2 m does.
+    void picturesShowMeshesOfAnySize() {
+        const QTemporaryDir folder;
+        const auto draw = [&folder](double scale) {
+            QByteArray text;
+            for (const QByteArray& line : ballObj().split('\n')) {
+                QByteArrayList words = line.split(' ');
+                for (qsizetype i = 1; words[0] == "v" && i < words.size(); ++i) {
+                    words[i] = QByteArray::number(scale * words[i].toDouble(), 'g', 9);
+                }
+                text += words.join(' ') + '\n';
+            }
+            const QString mesh = writeBytes(folder.filePath(QStringLiteral("ball.obj")), text);
+            const QString file = folder.filePath(QStringLiteral("shot.png"));
+            const CliRun run = shoot({"--burst", "3", "--picture", file, mesh});
+            return run.status == 0 ? QImage(file) : QImage();
+        };
+        const QImage large = draw(1.0);
+        const QImage small = draw(0.0005);
+        QCOMPARE(small.size(), QSize(1280, 720));
+        qint64 off = 0;
+        for (int y = 0; y < small.height(); y += 4) {
+            for (int x = 0; x < small.width(); x += 4) {
+                off += std::abs(qGray(small.pixel(x, y)) - qGray(large.pixel(x, y))) > 24 ? 1 : 0;
+            }
+        }
+        QVERIFY2(off < 320 * 180 / 20, qPrintable(QString::number(off)));
+    }
+
     void wrongUsageIsSaid() {
         QCOMPARE(shoot({"--samples", "4"}).status, 2);
         QCOMPARE(shoot({"--samples", "65", "--picture", "a.png"}).status, 2);

@@ -28,14 +28,16 @@ enum Size { Relative, InMetres };  // rows of the form's combo box
 
 /// "12 mm", "5.125 m": four digits at most, in the unit that keeps them readable.
 QString lengthText(double metres) {
-    if (metres >= 1000.0) {
+    constexpr double kRounded = 1.00005;  // so that what four digits make 1 mm of is no 1,000 µm
+    const double size = metres * kRounded;
+    if (size >= 1000.0) {
         return DeformationConstantsPanel::tr("%1 km").arg(shownNumber(metres / 1000.0, 'g', 4));
     }
-    if (metres >= 1.0 || metres == 0.0) {
+    if (size >= 1.0 || metres == 0.0) {
         return DeformationConstantsPanel::tr("%1 m").arg(shownNumber(metres, 'g', 4));
     }
-    return metres >= 1.0e-3 ? DeformationConstantsPanel::tr("%1 mm").arg(shownNumber(metres * 1.0e3, 'g', 4))
-                            : DeformationConstantsPanel::tr("%1 µm").arg(shownNumber(metres * 1.0e6, 'g', 4));
+    return size >= 1.0e-3 ? DeformationConstantsPanel::tr("%1 mm").arg(shownNumber(metres * 1.0e3, 'g', 4))
+                          : DeformationConstantsPanel::tr("%1 µm").arg(shownNumber(metres * 1.0e6, 'g', 4));
 }
 
 /// All visible targets are of one size: one that stands for all; null: they differ, or there are none.
