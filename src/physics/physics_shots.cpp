@@ -101,6 +101,12 @@ void PhysicsWorld::removeProjectiles() {
     d->events.clear();
 }
 
+void PhysicsWorld::removeProjectile(ProjectileId id) {
+    if (const auto flight = d->flights.find(id); flight != d->flights.end()) {
+        d->removeFlight(flight);
+    }
+}
+
 std::vector<PhysicsWorld::FlightEvent> PhysicsWorld::takeFlightEvents() {
     return std::exchange(d->events, {});
 }

@@ -105,6 +105,7 @@ public:
     /// within `reach` metres of its box (infinite: whether there is such a projectile).
     [[nodiscard]] bool isApproached(TargetId target, float reach) const;
     void removeProjectiles();
+    void removeProjectile(ProjectileId id);  ///< nothing where it is gone; not in the middle of a step
     /// What became of a flight, beside its impacts.
     struct FlightEvent {
         enum class Kind : std::uint8_t {

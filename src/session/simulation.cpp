@@ -109,6 +109,19 @@ void Simulation::cancelScheduled() {
     Q_EMIT scheduleChanged();
 }
 
+bool Simulation::recallShots() {
+    if (m_stepIsBegun || !hasShotsInAir()) {
+        return false;
+    }
+    cancelScheduled();
+    for (const ProjectileId projectile : m_tally.recall()) {
+        m_physics.removeProjectile(projectile);
+    }
+    sayWhatShotsDid();
+    Q_EMIT m_session.pictureChanged();
+    return true;
+}
+
 void Simulation::sayWhatShotsDid() {
     for (const ShotCount& count : m_tally.takeChanged()) {
         Q_EMIT shotsWent(count);

@@ -48,6 +48,11 @@ public:
     /// Shots that leave by themselves as time goes on.
     void schedule(std::span<const ScheduledShot> shots);
     void cancelScheduled();
+    /// There are shots that have struck nothing so far.
+    [[nodiscard]] bool hasShotsInAir() const { return m_tally.hasShotsInAir(); }
+    /// Takes these back, and cancels those that are scheduled. Returns whether there were some in the air; in
+    /// the middle of a step, which may be theirs, it does nothing.
+    bool recallShots();
     [[nodiscard]] std::size_t shotsToCome() const { return m_schedule.size(); }
 
     /// Steps the physics; contacts become hits, dynamic targets move. Where time is up before all shots that

@@ -137,18 +137,24 @@ void CameraWindowTest::homeFramesAllAndPressingStopsIt() {
 void CameraWindowTest::whatIsAddedOutOfSightIsFramed() {
     Viewport& viewport = m_window->viewport();
     viewport.navigation().setGlides(false);
-    TargetPlan beside = planMesh(makeCube(2, 0.5f));
-    const auto add = [&](const glm::vec3& position) {
-        beside.transform.position = position;
-        m_session->targets().add({beside});
-        viewport.bringSelectionIntoSight();
-        const Bounds bounds = m_session->targets()[m_session->targets().size() - 1]->worldBounds();
-        return isInPicture(coreOf(bounds), viewport.camera(), viewport.navigation().aspect(), 0.9f);
+    const Bounds teapot = m_session->targets().bounds();
+    TargetPlan added = planMesh(makeCube(2, 0.02f * teapot.diagonal()));
+    const auto isSeen = [&] {
+        return isInPicture(coreOf(m_session->targets().find(m_session->targets().selected())->worldBounds()),
+                           viewport.camera(), viewport.navigation().aspect(), 0.9f);
     };
-    const Camera before = viewport.camera();
-    QVERIFY(add(before.pivot()));
-    QVERIFY(viewport.camera() == before);  // it is there to be seen
-    QVERIFY(add(before.pivot() + 40.0f * before.distance() * before.right()));
+    added.transform.position = teapot.centre() + glm::vec3(0.0f, 0.55f * teapot.size().y, 0.0f);
+    m_session->targets().add({added});
+    Camera before = viewport.camera();
+    QVERIFY(isSeen());
+    viewport.bringSelectionIntoSight();
+    QVERIFY(viewport.camera() == before);
+    added.transform.position = teapot.centre() + 40.0f * before.distance() * before.right();
+    m_session->targets().add({added});
+    before = viewport.camera();
+    QVERIFY(!isSeen());
+    viewport.bringSelectionIntoSight();
+    QVERIFY(isSeen());
     QVERIFY(!(viewport.camera() == before));
 }
 

@@ -29,6 +29,7 @@ void EditActions::fill(QMenu& menu) {
     connect(&m_session, &Session::undoChanged, this, &EditActions::follow);
     connect(&m_session.hits(), &SessionHits::appended, this, &EditActions::follow);
     connect(&m_session.hits(), &SessionHits::reset, this, &EditActions::follow);
+    connect(&m_session.simulation(), &Simulation::shotsWent, this, &EditActions::follow);
     follow();
 }
 
@@ -46,6 +47,11 @@ void EditActions::undoLast() {
     }
     if (m_brush != nullptr && m_brush->isPainting()) {
         m_brush->cancelStroke();
+        return;
+    }
+    if (m_session.simulation().recallShots()) {
+        follow();
+        Q_EMIT said(tr("The shot in flight was taken back."));
         return;
     }
     if (const auto step = m_session.steps().toUndo()) {
@@ -72,6 +78,10 @@ void EditActions::follow() {
     const std::optional<SessionUndo::Name> running = m_editor != nullptr ? m_editor->running() : std::nullopt;
     name(*m_undo, tr("&Undo"), running ? running : m_session.steps().toUndo(),
          tr("There is nothing to undo."));
+    if (!running && m_session.simulation().hasShotsInAir()) {
+        enableIf(*m_undo, true, {});
+        m_undo->setText(tr("&Undo Shot in Flight"));
+    }
     name(*m_redo, tr("&Redo"), m_session.steps().toRedo(), tr("There is nothing to redo."));
     enableIf(*m_enableAll, m_session.hits().disabled() > 0, tr("No hit is disabled."));
     enableIf(*m_clear, m_session.hits().history().size() > 0, tr("There are no hits yet."));

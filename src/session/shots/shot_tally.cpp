@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/shots/shot_tally.h"
 
+#include <algorithm>
+
 namespace hitscope {
 
 int ShotTally::begin(std::size_t shots) {
@@ -77,6 +79,32 @@ void ShotTally::stopFiring() {
         series.changed = series.changed || series.count.shots != series.count.fired;
         series.count.shots = series.count.fired;
     }
+}
+
+bool ShotTally::hasShotsInAir() const {
+    return std::any_of(m_flights.begin(), m_flights.end(),
+                       [](const auto& flight) { return flight.second.isInAir(); });
+}
+
+std::vector<ProjectileId> ShotTally::recall() {
+    std::vector<ProjectileId> recalled;
+    for (auto flight = m_flights.begin(); flight != m_flights.end();) {
+        if (!flight->second.isInAir()) {
+            ++flight;
+            continue;
+        }
+        recalled.push_back(flight->first);
+        if (Series* of = seriesOf(flight->second.series)) {
+            --of->count.shots;
+            --of->count.fired;
+            --of->count.flying;
+            if (of->count.shots == 0) {
+                m_series.erase(flight->second.series);
+            }
+        }
+        flight = m_flights.erase(flight);
+    }
+    return recalled;
 }
 
 void ShotTally::clear() {

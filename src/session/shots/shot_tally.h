@@ -36,6 +36,10 @@ public:
     void follow(const PhysicsWorld::FlightEvent& event);
     /// What is not fired yet never will be.
     void stopFiring();
+    /// Under way, and struck nothing so far.
+    [[nodiscard]] bool hasShotsInAir() const;
+    /// Forgets these, as if they had not been fired; returns them.
+    std::vector<ProjectileId> recall();
     void clear();
 
     /// The counts that have changed since the last call, in the order of their series. A series that is over
@@ -47,6 +51,7 @@ private:
         int series = 0;
         bool hasHit = false;
         bool hasLanded = false;
+        [[nodiscard]] bool isInAir() const { return !hasHit && !hasLanded; }
     };
     struct Series {
         ShotCount count;
