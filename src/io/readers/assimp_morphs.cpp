@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/readers/assimp_morphs.h"
 
+#include <assimp/mesh.h>
+
 #include <cmath>
 #include <glm/geometric.hpp>
 

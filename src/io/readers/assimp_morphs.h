@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <assimp/mesh.h>
-
 #include <glm/vec3.hpp>
 #include <vector>
+
+struct aiAnimMesh;
+struct aiMesh;
 
 namespace hitscope {
 
