@@ -43,8 +43,6 @@ QString fileNameOf(const QString& name) {
 
 class Planner {
 public:
-    explicit Planner(const QString& folder) : m_folder(folder) {}
-
     Collection plan(SessionDocument document, const ReferencesByMesh& references) {
         for (SavedTarget& target : document.targets) {
             if (auto* file = std::get_if<MeshFile>(&target.source.mesh)) {
@@ -52,11 +50,11 @@ public:
                 const QString place = placeMesh(
                     file->path, named != references.end() ? named->second : std::vector<MeshReference>());
                 target.source.relativePath = place;
-                file->path = QDir(m_folder).filePath(place);
+                file->path = place;  // whoever gets the folder need not know where it was made
             }
             for (LocatedTexture& texture : target.textures) {
                 texture.relativePath = placeTexture(texture.path);
-                texture.path = QDir(m_folder).filePath(texture.relativePath);
+                texture.path = texture.relativePath;
             }
         }
         m_collection.document = std::move(document);
@@ -131,7 +129,6 @@ private:
         return name;
     }
 
-    QString m_folder;
     Collection m_collection;
     std::map<QString, QString> m_sources;      // by place
     std::map<QString, QString> m_meshFolders;  // by the meshes' own
@@ -281,9 +278,8 @@ Status writeCollection(Collection& collection, const QString& folder, const QStr
 
 }  // namespace
 
-Collection planCollection(SessionDocument document, const ReferencesByMesh& references,
-                          const QString& folder) {
-    return Planner(folder).plan(std::move(document), references);
+Collection planCollection(SessionDocument document, const ReferencesByMesh& references) {
+    return Planner().plan(std::move(document), references);
 }
 
 Result<QStringList> collectSession(SessionDocument document, const MeshesByPath& meshes,
@@ -307,7 +303,7 @@ Result<QStringList> collectSession(SessionDocument document, const MeshesByPath&
         }
     }
     const QString place = QDir::cleanPath(QFileInfo(folder).absoluteFilePath());
-    Collection collection = planCollection(std::move(document), references, place);
+    Collection collection = planCollection(std::move(document), references);
     if (const Status isFree = checkFree(collection, place, name); !isFree) {
         return isFree.error();
     }

@@ -24,7 +24,7 @@ struct CollectedFile {
 
 /// A session with all that it refers to, in one folder.
 struct Collection {
-    SessionDocument document;          ///< of files in that folder
+    SessionDocument document;          ///< of files in that folder, named from there
     std::vector<CollectedFile> files;  ///< each place once
     QStringList notes;                 ///< what cannot be collected, in words
 };
@@ -33,10 +33,9 @@ struct Collection {
 using ReferencesByMesh = std::map<QString, std::vector<MeshReference>>;
 
 /// Where each file goes: a mesh into a folder of its own below "meshes", which meshes of one folder share,
-/// with what it names at the places where it looks for them; located textures into "textures". `folder` is
-/// absolute. Looks at no file.
-[[nodiscard]] Collection planCollection(SessionDocument document, const ReferencesByMesh& references,
-                                        const QString& folder);
+/// with what it names at the places where it looks for them; located textures into "textures". Looks at no
+/// file.
+[[nodiscard]] Collection planCollection(SessionDocument document, const ReferencesByMesh& references);
 
 /// Meshes as they were read, by the paths in the document.
 using MeshesByPath = std::map<QString, std::shared_ptr<const MeshData>>;

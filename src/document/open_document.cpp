@@ -2,6 +2,7 @@
 #include "document/open_document.h"
 
 #include <QCoreApplication>
+#include <QDir>
 #include <algorithm>
 #include <new>
 #include <set>
@@ -89,6 +90,23 @@ void number(PreparedSession& prepared, TargetId first) {
     scene.selected = numbers[scene.selected];  // none stays none
 }
 
+/// A collected session names its files from its own folder only.
+void makeAbsolute(SessionDocument& document, const QString& folder) {
+    const auto from = [&folder](QString& path) {
+        if (!folder.isEmpty() && !path.isEmpty() && QDir::isRelativePath(path)) {
+            path = QDir::cleanPath(QDir(folder).absoluteFilePath(path));
+        }
+    };
+    for (SavedTarget& target : document.targets) {
+        if (auto* file = std::get_if<MeshFile>(&target.source.mesh)) {
+            from(file->path);
+        }
+        for (LocatedTexture& texture : target.textures) {
+            from(texture.path);
+        }
+    }
+}
+
 /// A journal is told the time only now and then: no hit is later than now.
 double timeOf(const SessionDocument& document) {
     double time = document.simulation.time;
@@ -118,6 +136,7 @@ Result<PreparedSession> prepareSession(SessionDocument document, const MeshPlace
                                                        "%1 is not known to this version and was left out."))
                               .arg(QString::fromStdString(place));
     }
+    makeAbsolute(prepared.document, places.folder);
     const std::vector<SavedTarget>& targets = prepared.document.targets;
     SourceMeshes meshes(places, control, prepared.troubles, prepared.notes);
     for (std::size_t i = 0; i < targets.size(); ++i) {

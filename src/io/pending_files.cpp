@@ -7,6 +7,7 @@
 #include <QFile>
 #include <mutex>
 #include <set>
+#include <vector>
 
 namespace hitscope {
 
@@ -17,6 +18,7 @@ constexpr int kTries = 100;
 struct PendingFiles {
     std::mutex mutex;
     std::set<QByteArray> paths;
+    std::vector<QByteArray> newFolders;  // outer ones first
 };
 
 PendingFiles& pendingFiles() {
@@ -36,6 +38,16 @@ void forgetPending(const QByteArray& path) {
     pendingFiles().paths.erase(path);
 }
 
+void noteNewFolder(const QByteArray& path) {
+    const std::scoped_lock lock(pendingFiles().mutex);
+    pendingFiles().newFolders.push_back(path);
+}
+
+void forgetNewFolder(const QByteArray& path) {
+    const std::scoped_lock lock(pendingFiles().mutex);
+    std::erase(pendingFiles().newFolders, path);
+}
+
 void removePendingFiles() {
     const std::scoped_lock lock(pendingFiles().mutex);
     for (const QByteArray& path : pendingFiles().paths) {
@@ -46,7 +58,12 @@ void removePendingFiles() {
             }
         }
     }
+    std::vector<QByteArray>& folders = pendingFiles().newFolders;
+    for (auto folder = folders.rbegin(); folder != folders.rend(); ++folder) {
+        ::rmdir(folder->constData());
+    }
     pendingFiles().paths.clear();
+    folders.clear();
 }
 
 }  // namespace hitscope

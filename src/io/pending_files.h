@@ -10,6 +10,8 @@ namespace hitscope {
 
 void notePending(const QByteArray& path);
 void forgetPending(const QByteArray& path);  ///< it has its name, or is gone
-void removePendingFiles();                   ///< from the disk, folders with all that is in them
+void noteNewFolder(const QByteArray& path);  ///< made for them: goes if it is empty then
+void forgetNewFolder(const QByteArray& path);
+void removePendingFiles();  ///< from the disk, folders with all that is in them
 
 }  // namespace hitscope

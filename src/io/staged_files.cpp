@@ -154,6 +154,9 @@ StagedFiles::~StagedFiles() {
     if (!m_isDone) {
         removeNew(0);
     }
+    for (const QString& folder : m_newFolders) {
+        forgetNewFolder(QFile::encodeName(folder));
+    }
 }
 
 void StagedFiles::step() const {
@@ -201,6 +204,7 @@ bool StagedFiles::makeFolder(const QString& path) {
             return false;
         }
         m_newFolders.push_back(name);
+        noteNewFolder(QFile::encodeName(name));
     }
     return true;
 }

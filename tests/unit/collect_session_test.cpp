@@ -10,6 +10,7 @@
 #include "document/collect_session.h"
 #include "document/session_file.h"
 #include "io/import.h"
+#include "io/pending_files.h"
 #include "mesh/missing_textures.h"
 #include "open_document_support.h"
 #include "session/primitive_target.h"
@@ -76,6 +77,7 @@ private Q_SLOTS:
     void changedMeshesAreNamed();
     void nothingIsReplaced();
     void cancelledLeavesNothing();
+    void endedLeavesNothing();
     void whatIsMissingIsTold();
 
 private:
@@ -142,14 +144,14 @@ void CollectSessionTest::eachMeshHasItsPlace() {
     SavedTarget own;
     own.source.mesh = BuiltInMesh::Teapot;
     document.targets.push_back(own);
-    const Collection collection = planCollection(document, {}, QStringLiteral("/out"));
+    const Collection collection = planCollection(document, {});
     QCOMPARE(placesOf(collection),
              (QStringList{QStringLiteral("meshes/Rock-3/Rock.stl"), QStringLiteral("meshes/rock-2/rock.obj"),
                           QStringLiteral("meshes/rock/moon.ply"), QStringLiteral("meshes/rock/rock.obj")}));
     QCOMPARE(sourceOf(collection, QStringLiteral("meshes/rock-2/rock.obj")), QStringLiteral("/y/rock.obj"));
     const std::vector<SavedTarget>& targets = collection.document.targets;
     QCOMPARE(targets[2].source.relativePath, QStringLiteral("meshes/rock/rock.obj"));
-    QCOMPARE(std::get<MeshFile>(targets[1].source.mesh).path, QStringLiteral("/out/meshes/rock-2/rock.obj"));
+    QCOMPARE(std::get<MeshFile>(targets[1].source.mesh).path, QStringLiteral("meshes/rock-2/rock.obj"));
     QVERIFY(std::holds_alternative<BuiltInMesh>(targets[5].source.mesh));
     QVERIFY(collection.notes.isEmpty());
 }
@@ -171,7 +173,7 @@ void CollectSessionTest::namesKeepTheirWay() {
              {QStringLiteral("/x/lib/g.mtl"), QStringLiteral("/x/lib/g.mtl"), Kind::Data},
              {QStringLiteral("/x/maps/d.png"), QStringLiteral("/x/maps/d.png"), Kind::Picture},
          }}};
-    const Collection collection = planCollection(document, references, QStringLiteral("/out"));
+    const Collection collection = planCollection(document, references);
     QStringList expected;
     for (const char* place :
          {"c.png", "d.png", "e.png", "f.png", "lib/rock.mtl", "link/b.png", "maps/a.png", "rock.obj"}) {
@@ -192,10 +194,10 @@ void CollectSessionTest::locatedTextures() {
         meshTarget(1, QStringLiteral("/x/rock.obj"), {{"a.png", QStringLiteral("/p/wood.png")}}),
         meshTarget(2, QStringLiteral("/y/moon.obj"),
                    {{"b.png", QStringLiteral("/q/wood.png")}, {"c.png", QStringLiteral("/p/wood.png")}})};
-    const Collection collection = planCollection(document, {}, QStringLiteral("/out"));
+    const Collection collection = planCollection(document, {});
     const auto& first = collection.document.targets[0].textures;
     const auto& second = collection.document.targets[1].textures;
-    QVERIFY(first == (std::vector<LocatedTexture>{{"a.png", QStringLiteral("/out/textures/wood.png"),
+    QVERIFY(first == (std::vector<LocatedTexture>{{"a.png", QStringLiteral("textures/wood.png"),
                                                    QStringLiteral("textures/wood.png")}}));
     QCOMPARE(second[0].relativePath, QStringLiteral("textures/wood-2.png"));
     QCOMPARE(second[1].relativePath, QStringLiteral("textures/wood.png"));
@@ -212,7 +214,7 @@ void CollectSessionTest::opensAnywhere() {
     }
     QVERIFY(QDir(m_folder->path()).rename(QStringLiteral("out"), QStringLiteral("elsewhere")));
     const QString file = in(QStringLiteral("elsewhere/one.hitscope"));
-    QVERIFY(!QString::fromStdString(readFile(file)).contains(in(QStringLiteral("a/"))));
+    QVERIFY(!QString::fromStdString(readFile(file)).contains(m_folder->path()));
     Result<SessionDocument> document = readSessionFile(file);
     QVERIFY2(document.ok(), qPrintable(messageOf(document)));
     MeshPlaces places;
@@ -306,6 +308,25 @@ void CollectSessionTest::cancelledLeavesNothing() {
     QVERIFY(messageOf(collected).contains(QStringLiteral("cancelled")));
     QVERIFY(!QFileInfo::exists(in(QStringLiteral("out"))));
     QCOMPARE(steps, 4);
+}
+
+/// As where a signal ends the program.
+void CollectSessionTest::endedLeavesNothing() {
+    PrepareControl control;
+    int steps = 0;
+    control.progress = [&](double, const QString&) {
+        if (++steps == 4) {
+            QVERIFY(QFileInfo::exists(in(QStringLiteral("out/meshes"))));
+            removePendingFiles();
+            QVERIFY(!QFileInfo::exists(in(QStringLiteral("out"))));
+        }
+    };
+    QVERIFY(!collect(control).ok());
+    QVERIFY(steps >= 4);
+    // Later folders are not its own.
+    QVERIFY(QDir().mkpath(in(QStringLiteral("out"))));
+    removePendingFiles();
+    QVERIFY(QFileInfo::exists(in(QStringLiteral("out"))));
 }
 
 void CollectSessionTest::whatIsMissingIsTold() {
