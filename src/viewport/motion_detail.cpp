@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewport/motion_detail.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -15,6 +16,7 @@ constexpr int kJudged = 3;                              // frames that are judge
 constexpr double kFastEnough = 0.4;        // of the longest time: for twice the pixels
 constexpr double kFastEnoughForAll = 0.8;  // for as many triangles
 constexpr double kGain = 0.9;              // of the time before: what saves less is not worth it
+constexpr double kTwoLevels = 2.0;         // times the longest: half of the pixels will not do
 // Times the longest: no frame is worth waiting for another of these, where fewer triangles may help.
 constexpr double kFarTooLong = 3.0;
 
@@ -45,6 +47,16 @@ void MotionDetail::setLongestFrame(double seconds) {
 void MotionDetail::tryAgain() {
     m_areFewTrianglesNoHelp = false;
     m_areFewPixelsNoHelp = false;
+    m_waited = 0;
+}
+
+void MotionDetail::takeCoarse() {
+    if (hasCoarse() && !m_coarse) {
+        m_coarse = true;
+        m_before = 0.0;
+        m_sum = 0.0;
+        m_frames = 0;
+    }
 }
 
 void MotionDetail::setCoarsePart(float part) {
@@ -76,9 +88,9 @@ void MotionDetail::judge(double mean) {
 }
 
 void MotionDetail::goBack() {
-    if (m_level > 0) {
+    if (m_level > m_levelBefore) {
         m_areFewPixelsNoHelp = true;
-        --m_level;
+        m_level = m_levelBefore;
     } else {
         m_areFewTrianglesNoHelp = true;
         m_coarse = false;
@@ -87,15 +99,25 @@ void MotionDetail::goBack() {
 }
 
 void MotionDetail::drawLess(double mean) {
+    m_levelBefore = m_level;
     if (m_level == 0 && !m_coarse && hasCoarse() && !m_areFewTrianglesNoHelp) {
         m_coarse = true;
     } else if (m_level + 1 < kScales.size() && !m_areFewPixelsNoHelp) {
-        ++m_level;
+        m_level = std::min(m_level + (mean > kTwoLevels * m_longest ? 2 : 1), kScales.size() - 1);
     } else {
+        wait();
         return;
     }
     m_before = mean;
     settle();
+}
+
+/// Something else may have taken the time when steps were no help.
+void MotionDetail::wait() {
+    if (++m_waited == m_patience) {
+        tryAgain();
+        m_patience *= 2;
+    }
 }
 
 void MotionDetail::drawMore(double mean) {

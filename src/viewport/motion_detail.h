@@ -11,7 +11,8 @@ namespace hitscope {
 /// that cannot hold all of it: first fewer triangles, where there are many, then fewer pixels. Knows times
 /// only; who draws tells it about every frame in motion.
 ///
-/// Where fewer triangles or pixels do not make frames faster, they stay.
+/// Where fewer triangles or pixels do not make frames faster, they stay; they are tried again later, and less
+/// and less often, as something else may have taken the time.
 class MotionDetail {
 public:
     /// Seconds that a frame in motion may take where a GPU draws: one that waits for the display takes 1/60 s
@@ -34,6 +35,8 @@ public:
     void forget();
     /// What was no help may be some from now on: from close by it is pixels that take long.
     void tryAgain();
+    /// Frames have fewer triangles whatever their times; only pixels are left to choose.
+    void takeCoarse();
 
 private:
     void settle();  ///< a step was made
@@ -41,15 +44,19 @@ private:
     void goBack();
     void drawLess(double mean);
     void drawMore(double mean);
+    void wait();
 
     double m_longest = kLongestFrame;
     float m_coarsePart = 1.0f;
     bool m_coarse = false;
-    std::size_t m_level = 0;    ///< how often the number of pixels was halved
-    double m_before = 0.0;      ///< seconds of a frame before the last step; 0: not known
-    double m_sum = 0.0;         ///< seconds of the frames counted
-    int m_frames = 0;           ///< counted since they were judged last
-    bool m_isSettling = false;  ///< the next frame is a step's first, which makes buffers
+    std::size_t m_level = 0;        ///< how often the number of pixels was halved
+    std::size_t m_levelBefore = 0;  ///< the last step
+    double m_before = 0.0;          ///< seconds of a frame then; 0: not known
+    int m_patience = 20;            ///< how often frames are judged too slow until steps are tried again
+    int m_waited = 0;               ///< how often they were
+    double m_sum = 0.0;             ///< seconds of the frames counted
+    int m_frames = 0;               ///< counted since they were judged last
+    bool m_isSettling = false;      ///< the next frame is a step's first, which makes buffers
     bool m_areFewTrianglesNoHelp = false;
     bool m_areFewPixelsNoHelp = false;
 };

@@ -87,10 +87,13 @@ PictureDetail PictureMotion::coming() const {
 }
 
 PictureDetail PictureMotion::beginFrame() {
+    if (isLeftToRefiner()) {
+        m_motion.takeCoarse();
+    }
     m_detail = coming();
     // A motion's first frame comes after a pause, and others may do as much meanwhile: its time is not
-    // counted.
-    m_isCounted = !isFirstComing() && !isHurried();
+    // counted, and neither is that of one with a detail that the times did not choose.
+    m_isCounted = !isFirstComing() && !isHurried() && !m_held;
     m_isFirst = false;
     m_isKeptShown = false;
     m_isDrawn = true;

@@ -41,6 +41,34 @@ private Q_SLOTS:
         QVERIFY(!motion.isReduced());
     }
 
+    static void whatIsHeldTeachesNothing() {
+        PictureMotion motion;
+        motion.setOn(true);
+        motion.setCoarsePart(kPart);
+        motion.hold(PictureDetail());
+        motion.moved();
+        for (int i = 0; i < 20; ++i) {
+            QVERIFY(drawn(motion, 0.5).isFull());
+        }
+        motion.hold(std::nullopt);
+        QVERIFY(drawn(motion, 0.5).isFull());
+        QVERIFY(drawn(motion, 0.03).coarse);
+    }
+
+    /// Its frames are coarse from the first, so that only their pixels are judged.
+    static void whatIsSlowLosesPixelsAtOnce() {
+        PictureMotion motion;
+        motion.setOn(true);
+        motion.setRefined(true);
+        motion.setCoarsePart(kPart, true);
+        motion.moved();
+        for (int i = 0; i < 4; ++i) {
+            const PictureDetail detail = drawn(motion, 0.09);
+            QVERIFY(detail.coarse && detail.scale == 1.0f);
+        }
+        QCOMPARE(motion.coming().scale, 0.5f);
+    }
+
     /// Not one that is being drawn, which may turn out to be another.
     static void tellsWhatIsSeen() {
         PictureMotion motion;
