@@ -8,10 +8,10 @@
 #include "tone.glsl"
 #ifdef HITSCOPE_SHADOWS
 #include "shadow.glsl"
-uniform mat3 u_floorShadow;  // from (x, z, 1) of the floor to the shadow map's texture coordinates and depth
+in vec3 v_shadow;
 #endif
 
-in vec3 v_position;  // from the eye; the rest as in floor.vert
+in vec4 v_place;  // this and the rest as in floor.vert
 #ifdef HITSCOPE_DIRECTIONAL
 flat in vec4 v_sun;
 #endif
@@ -24,15 +24,11 @@ flat in vec4 v_pointAmbient;
 flat in vec4 v_spotPlace;
 flat in vec4 v_spotDirection;
 flat in vec4 v_spotColour;
+uniform vec2 u_spotCone;
 #endif
-flat in vec4 v_strengths;
 
-uniform vec3 u_eye;
-uniform vec3 u_centre;
-uniform float u_reach;
 uniform vec4 u_lineColour;  // sRGB, opacity
-uniform float u_cell;       // metres between the finest lines
-uniform float u_cellFade;   // [0, 1]: how far these have faded, on the way to ten times the size
+uniform float u_cellFade;   // [0, 1]: how far the finest lines have faded, on the way to ten times the size
 #ifdef HITSCOPE_OPEN
 uniform sampler2D u_floorOpen;  // floor_open.frag's
 uniform vec2 u_perPixel;        // one over the picture's size
@@ -40,67 +36,64 @@ uniform vec2 u_perPixel;        // one over the picture's size
 
 out vec4 o_colour;
 
-// Lines `pixels` wide, antialiased; they fade where cells become too small to be told apart.
-float lines(vec2 plane, float cell, float pixels)
+// Lines between cells, `pixels` wide, antialiased; they fade where cells become too small to be told apart. at: in
+// cells; width: of a pixel, in these; perWidth: one over that.
+float lines(vec2 at, vec2 width, vec2 perWidth, float pixels)
 {
-    vec2 at = plane / cell;
-    vec2 width = max(fwidth(at), vec2(1.0e-6));
-    vec2 off = abs(fract(at - 0.5) - 0.5) / width;
-    vec2 line = 1.0 - smoothstep(vec2(0.5 * pixels - 0.5), vec2(0.5 * pixels + 0.5), off);
-    line *= 1.0 - smoothstep(vec2(0.12), vec2(0.45), width);
+    vec2 off = abs(at - floor(at + 0.5)) * perWidth;
+    vec2 line = clamp(0.5 * pixels + 0.5 - off, 0.0, 1.0);  // the share of a pixel that it covers
+    line *= clamp(1.3 - 2.6 * width, 0.0, 1.0);
     return max(line.x, line.y);
 }
 
-// The paper's equations 7-14 for a matte surface that looks up.
+// The paper's equations 7-14 for a matte surface that looks up. A light's share is a quotient whose parts have a
+// division in common: one over the distance, and over the attenuation.
 vec3 floorLight(float sunlit)
 {
     vec3 light = vec3(0.0);
 #ifdef HITSCOPE_DIRECTIONAL
-    light += v_sun.rgb * (v_sun.w + v_strengths.x * sunlit);
+    light += v_sun.rgb * (v_sun.w + sunlit);
 #endif
 #ifdef HITSCOPE_POINTS
     for (int i = 0; i < HITSCOPE_POINTS; ++i) {
-        vec3 way = v_pointPlace[i].xyz - v_position;
-        float squared = max(dot(way, way), 1.0e-12);
-        float perDistance = inversesqrt(squared);
-        float share = attenuation(vec2(v_pointPlace[i].w, v_pointColour[i].w), squared * perDistance);
-        light += v_pointColour[i].rgb * (share * (v_pointAmbient[i] + max(way.y * perDistance, 0.0)));
+        vec3 way = v_pointPlace[i].xyz - vec3(v_place.x, 0.0, v_place.y);
+        float away = sqrt(max(dot(way, way), 1.0e-12));
+        float share = 1.0 / (away * weakened(vec2(v_pointPlace[i].w, v_pointColour[i].w), away));
+        light += v_pointColour[i].rgb * (share * (v_pointAmbient[i] * away + max(way.y, 0.0)));
     }
 #endif
 #ifdef HITSCOPE_SPOT
-    vec3 way = v_spotPlace.xyz - v_position;
-    float squared = max(dot(way, way), 1.0e-12);
-    float perDistance = inversesqrt(squared);
-    float within = withinCone(v_strengths.zw, dot(way, v_spotDirection.xyz) * perDistance);
-    float share = attenuation(vec2(v_spotPlace.w, v_spotDirection.w), squared * perDistance);
-    light += v_spotColour.rgb *
-             (share * (v_spotColour.w + v_strengths.y * within * max(way.y * perDistance, 0.0)));
+    vec3 way = v_spotPlace.xyz - vec3(v_place.x, 0.0, v_place.y);
+    float away = sqrt(max(dot(way, way), 1.0e-12));
+    float weaker = weakened(vec2(v_spotPlace.w, v_spotDirection.w), away);
+    float share = 1.0 / (away * weaker);
+    float within = withinCone(u_spotCone, dot(way, v_spotDirection.xyz) * (share * weaker));
+    light += v_spotColour.rgb * (share * (v_spotColour.w * away + within * max(way.y, 0.0)));
 #endif
     return light;
 }
 
 void main()
 {
-    vec2 plane = v_position.xz + u_eye.xz;
-    float fine = 0.45 * (1.0 - u_cellFade) * lines(plane, u_cell, 1.0);
-    float middle = mix(0.8, 0.45, u_cellFade) * lines(plane, 10.0 * u_cell, 1.2);
-    float coarse = 0.8 * lines(plane, 100.0 * u_cell, 1.4);
+    vec2 cells = v_place.zw;
+    vec2 width = max(fwidth(cells), vec2(1.0e-6));
+    vec2 perWidth = 1.0 / width;
+    float fine = 0.45 * (1.0 - u_cellFade) * lines(cells, width, perWidth, 1.0);
+    float middle = mix(0.8, 0.45, u_cellFade) * lines(0.1 * cells, 0.1 * width, 10.0 * perWidth, 1.2);
+    float coarse = 0.8 * lines(0.01 * cells, 0.01 * width, 100.0 * perWidth, 1.4);
     float line = u_lineColour.a * max(fine, max(middle, coarse));
 
     float sunlit = 1.0;
 #ifdef HITSCOPE_SHADED
     sunlit = 0.0;
 #elif defined(HITSCOPE_SHADOWS)
-    sunlit = sunlitShare(u_floorShadow * vec3(plane, 1.0));
+    sunlit = sunlitShare(v_shadow);
 #endif
-    vec3 light = display(floorLight(sunlit));
-    vec3 colour = mix(light, u_lineColour.rgb, line);
+    vec3 colour = mix(display(floorLight(sunlit)), u_lineColour.rgb, line);
 #ifdef HITSCOPE_OPEN
     colour *= texture(u_floorOpen, gl_FragCoord.xy * u_perPixel).r;
 #endif
-    float away = distance(plane, u_centre.xz) / u_reach;
-    float opacity = 1.0 - smoothstep(0.15, 1.0, away);
-    // From below one looks through the floor.
-    bool below = v_position.y > 0.0;
-    o_colour = vec4(colour, opacity * (below ? 0.25 : 1.0));
+    float opacity = 1.0 - smoothstep(0.15, 1.0, length(v_place.xy));
+    // The square's front is below: from there one looks through the floor.
+    o_colour = vec4(colour, opacity * (gl_FrontFacing ? 0.25 : 1.0));
 }

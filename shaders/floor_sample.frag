@@ -7,13 +7,10 @@
 
 #ifdef HITSCOPE_SHADOWS
 #include "shadow.glsl"
-uniform mat3 u_floorShadow;  // from (x, z, 1) of the floor to the shadow map's texture coordinates and depth
+in vec3 v_shadow;  // as in floor.vert
 uniform sampler2D u_floorShaded;
 #endif
 
-in vec3 v_position;  // from the eye
-
-uniform vec3 u_eye;
 uniform sampler2D u_floorLit;  // sRGB, opacity
 
 out vec4 o_colour;
@@ -23,7 +20,6 @@ void main()
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     o_colour = texelFetch(u_floorLit, pixel, 0);
 #ifdef HITSCOPE_SHADOWS
-    float sunlit = sunlitShare(u_floorShadow * vec3(v_position.xz + u_eye.xz, 1.0));
-    o_colour.rgb = mix(texelFetch(u_floorShaded, pixel, 0).rgb, o_colour.rgb, sunlit);
+    o_colour.rgb = mix(texelFetch(u_floorShaded, pixel, 0).rgb, o_colour.rgb, sunlitShare(v_shadow));
 #endif
 }

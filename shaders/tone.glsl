@@ -9,11 +9,12 @@ vec3 softClip(vec3 light)
     return min(light, kShoulder) + (1.0 - kShoulder) * over / (over + (1.0 - kShoulder));
 }
 
-// IEC 61966-2-1.
+// IEC 61966-2-1, with its power fitted by roots: at most 0.1 of a step of eight bits away, and faster on a CPU.
 vec3 toSrgb(vec3 light)
 {
     vec3 low = 12.92 * light;
-    vec3 high = 1.055 * pow(max(light, 0.0), vec3(1.0 / 2.4)) - 0.055;
+    vec3 root = sqrt(max(light, 0.0));
+    vec3 high = 0.83375549 * root + 0.29810672 * sqrt(root) - 0.0553183 * light - 0.0769034;
     return mix(high, low, lessThanEqual(light, vec3(0.0031308)));
 }
 

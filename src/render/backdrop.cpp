@@ -8,7 +8,8 @@
 namespace hitscope::render {
 namespace {
 
-constexpr float kFinestCells = 14.0f;  // of the floor's finest squares fit between eye and pivot
+constexpr float kFinestCells = 14.0f;     // of the floor's finest squares fit between eye and pivot
+constexpr float kCoarsestCells = 100.0f;  // of the finest squares are a side of the coarsest
 
 constexpr int kOpenSamples = 24;
 constexpr int kOpenUnit = 5;
@@ -67,7 +68,10 @@ Status drawFloorItself(const FrameContext& context, const gl::Defines& shadows, 
     placeFloor(floor, context);
     floor.set("u_diffuse", context.colours.floor);
     floor.set("u_lineColour", context.colours.floorLines);
-    floor.set("u_cell", std::pow(10.0f, std::floor(scale)));
+    const float cell = std::pow(10.0f, std::floor(scale));
+    const glm::vec3 pivot = frame.camera.pivot();
+    floor.set("u_cell", cell);
+    floor.set("u_fromLines", glm::mod(glm::vec2(pivot.x, pivot.z), kCoarsestCells * cell));
     floor.set("u_cellFade", scale - std::floor(scale));
     if (open != 0) {
         bindTexture(floor, "u_floorOpen", kOpenUnit, open);
