@@ -140,10 +140,15 @@ private:
     bool m_isLarge = false;
 };
 
-/// Where a file that is replaced really is.
+/// Where a file that is replaced really is; a link may lead to where there is none yet.
 QString withoutLinks(const QString& path) {
-    const QString real = QFileInfo(path).canonicalFilePath();
-    return real.isEmpty() ? QFileInfo(path).absoluteFilePath() : real;
+    constexpr int kMostLinks = 40;  // as the kernel follows
+    QFileInfo file(path);
+    for (int i = 0; i < kMostLinks && file.isSymLink() && !file.exists(); ++i) {
+        file.setFile(file.symLinkTarget());
+    }
+    const QString real = file.canonicalFilePath();
+    return real.isEmpty() ? file.absoluteFilePath() : real;
 }
 
 }  // namespace
@@ -215,6 +220,9 @@ Status StagedFiles::fill(const QString& path, Existing existing, unsigned mode,
     const QFileInfo info(place);
     if (info.isDir()) {
         return cannotSave(path, EISDIR);
+    }
+    if (existing == Existing::Replace && info.isSymLink()) {
+        return cannotSave(path, ELOOP);
     }
     const QString hidden = QStringLiteral("%1/.%2.%3")
                                .arg(info.absolutePath(), info.fileName().left(200),

@@ -36,6 +36,7 @@ private Q_SLOTS:
     void leavesTexturesOfTheOwnFolderAlone();
     void writesEmbeddedPictures();
     void letsGoOfLargeReplacedFiles();
+    void writesWhereLinksLead();
     void saysWhyItCannotWrite_data();
     void saysWhyItCannotWrite();
 
@@ -303,6 +304,20 @@ void ExportFilesTest::letsGoOfLargeReplacedFiles() {
     QVERIFY(writeWhole(in("target/large.obj"), "new"));
     QCOMPARE(QFileInfo(in("target/large.obj")).size(), qint64{3});
     QTRY_COMPARE(openFiles(), 0);
+}
+
+/// To a file, and to where there is none yet, over another link.
+void ExportFilesTest::writesWhereLinksLead() {
+    QVERIFY(QFile::link(QStringLiteral("second.obj"), in("target/first.obj")));
+    QVERIFY(QFile::link(QStringLiteral("../source/it.obj"), in("target/second.obj")));
+    for (const char* content : {"new", "newer"}) {
+        QVERIFY(writeWhole(in("target/first.obj"), content));
+        QCOMPARE(readFile(in("source/it.obj")), std::string(content));
+        QVERIFY(QFileInfo(in("target/first.obj")).isSymLink());
+        QVERIFY(QFileInfo(in("target/second.obj")).isSymLink());
+    }
+    QVERIFY(QFile::link(QStringLiteral("round.obj"), in("target/round.obj")));
+    QVERIFY(!writeWhole(in("target/round.obj"), "new"));
 }
 
 void ExportFilesTest::saysWhyItCannotWrite_data() {
