@@ -5,6 +5,7 @@
 #include <QCloseEvent>
 #include <QDir>
 #include <QFileInfo>
+#include <QLayout>
 #include <QMenu>
 #include <QScreen>
 #include <QSessionManager>
@@ -352,6 +353,7 @@ void MainWindow::restoreWindow() {
     // On a small screen no part of it is out of sight at first.
     // The desktop's frame comes on top, and is not known before it does.
     const int frame = style()->pixelMetric(QStyle::PM_TitleBarHeight);
+    layout()->activate();  // else the least size is that of before docks shared places
     resize(QSize(1440, 900).boundedTo(screen()->availableSize() - QSize(0, frame)));
     m_docks->restore(QSettings());
     connect(m_menus, &WindowMenus::resetLayoutWanted, m_docks, &WindowDocks::reset);

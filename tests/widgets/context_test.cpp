@@ -10,6 +10,7 @@
 #include <QMainWindow>
 #include <QOpenGLContext>
 #include <QScopeGuard>
+#include <QScreen>
 #include <QSignalSpy>
 #include <QStatusBar>
 #include <algorithm>
@@ -99,6 +100,7 @@ private Q_SLOTS:
     void windowTricksLoseNothing();
     void pixelsAndRaysAgree_data();
     void pixelsAndRaysAgree();
+    void windowFitsTheScreen();
     void idleDrawsNothing();
     void idleWindowPaintsNothing();
 
@@ -247,6 +249,15 @@ void ContextTest::windowTricksLoseNothing() {
     QTRY_VERIFY_WITH_TIMEOUT(dock->isFloating() && dock->isVisible(), kPatience);
     dock->setFloating(false);
     back();
+}
+
+/// At first; at twice the scale the tests' screen is a small one.
+void ContextTest::windowFitsTheScreen() {
+    Session session;
+    MainWindow window(session);
+    const QSize screen = window.screen()->availableSize();
+    QVERIFY2(window.width() <= screen.width() && window.height() <= screen.height(),
+             qPrintable(QStringLiteral("%1x%2").arg(window.width()).arg(window.height())));
 }
 
 void ContextTest::pixelsAndRaysAgree_data() {

@@ -157,9 +157,11 @@ void ScenePanelTest::closesWhileANameIsEdited() {
 
 void ScenePanelTest::duplicateAndRemoveByKey() {
     click(3);
-    QTest::keyClick(m_table, Qt::Key_D, Qt::ControlModifier);
+    // To the window, so that Ctrl is held for all who ask.
+    QTest::keyClick(m_panel->windowHandle(), Qt::Key_D, Qt::ControlModifier);
     QCOMPARE(m_session->targets().size(), std::size_t{17});
     QCOMPARE(m_table->currentIndex().row(), 16);
+    QCOMPARE(m_table->selectionModel()->selectedRows().size(), 1);
     QCOMPARE(m_session->targets().selected(), id(16));
     click(0);
     click(2, SceneModel::NameColumn, Qt::ControlModifier);

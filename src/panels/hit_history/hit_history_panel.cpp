@@ -12,6 +12,7 @@
 #include "deform/dent_shape.h"
 #include "models/quantity_text.h"
 #include "panels/fields/context_menu.h"
+#include "panels/fields/select_only.h"
 #include "panels/help/help_text.h"
 #include "panels/hit_history/hit_columns.h"
 #include "panels/hit_history/hit_delegate.h"
@@ -336,7 +337,7 @@ void HitHistoryPanel::showSelectedHit() {
     if (!row.isValid()) {
         m_ui->table->clearSelection();
     } else if (current.row() != row.row() || !m_ui->table->selectionModel()->isSelected(current)) {
-        m_ui->table->selectRow(row.row());
+        selectOnly(*m_ui->table, row);
     }  // else it has moved, and the selection with it
     updateActions();
     m_following = false;

@@ -10,6 +10,7 @@
 #include "mesh/teapot.h"
 #include "models/quantity_text.h"
 #include "panels/fields/context_menu.h"
+#include "panels/fields/select_only.h"
 #include "panels/help/help_text.h"
 #include "panels/icons/themed_icon.h"
 #include "panels/scene/add_primitive_dialog.h"
@@ -220,7 +221,7 @@ void ScenePanel::showSelectedTarget() {
     if (row < 0) {
         m_ui->table->clearSelection();
     } else if (current.row() != row || !m_ui->table->selectionModel()->isSelected(current)) {
-        m_ui->table->selectRow(row);
+        selectOnly(*m_ui->table, m_model.index(row, SceneModel::NameColumn));
         m_ui->table->scrollTo(m_model.index(row, SceneModel::NameColumn));
     }
     m_following = false;
