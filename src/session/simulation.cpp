@@ -87,7 +87,7 @@ std::optional<Hit> Simulation::predictedHit(const Ray& ray, bool isInstant) {
 }
 
 std::optional<Hit> Simulation::predictedHit(const ScheduledShot& shot) {
-    m_colliders.updateAll();
+    updateColliders({});
     const auto impact = m_physics.predict(shot.ray.origin, shot.ray.direction, shot.settings, shot.isInstant);
     return impact ? hitOf(*impact) : std::nullopt;
 }
@@ -153,8 +153,14 @@ void Simulation::takeImpacts(std::span<const Impact> impacts) {
 
 // Colliders
 
+/// A dynamic target that has another shape wakes: whoever advances what moves is told.
 bool Simulation::updateColliders(const IsTimeUp& isTimeUp) {
-    return m_colliders.updateAll(isTimeUp);
+    const bool wasMoving = isMoving();
+    const bool isDone = m_colliders.updateAll(isTimeUp);
+    if (!wasMoving && isMoving()) {
+        Q_EMIT m_session.pictureChanged();
+    }
+    return isDone;
 }
 
 // Time

@@ -247,6 +247,27 @@ private Q_SLOTS:
         QVERIFY(ball.physics.isDynamic);
     }
 
+    /// Its shape is brought up to date between steps, where somebody aims.
+    void whatWakesIsTold() {
+        Session session;
+        loadMesh(session, makeHighPolySphere(0.5f));
+        TargetPhysics physics;
+        physics.isDynamic = true;
+        QVERIFY(session.targets().setPhysics(session.targets().front()->id, physics).ok());
+        QVERIFY(session.simulation().hitscan({{-3, 0.1f, 0}, {1, 0, 0}}));
+        for (int i = 0; i < 600 && session.simulation().isMoving(); ++i) {
+            session.simulation().advance(0.1);
+        }
+        QVERIFY(!session.simulation().isMoving());
+        session.undo();
+        for (int i = 0; i < 2; ++i) {
+            QSignalSpy pictures(&session, &Session::pictureChanged);
+            QVERIFY(session.simulation().updateColliders());
+            QVERIFY(session.simulation().isMoving());
+            QCOMPARE(pictures.count(), 1 - i);
+        }
+    }
+
     void hiddenAndShownAgainItHasItsDents() {
         Session session;
         loadMesh(session, makeHighPolySphere());
