@@ -353,8 +353,11 @@ void MainWindow::restoreWindow() {
     // On a small screen no part of it is out of sight at first.
     // The desktop's frame comes on top, and is not known before it does.
     const int frame = style()->pixelMetric(QStyle::PM_TitleBarHeight);
-    layout()->activate();  // else the least size is that of before docks shared places
-    resize(QSize(1440, 900).boundedTo(screen()->availableSize() - QSize(0, frame)));
+    const QSize wanted = QSize(1440, 900).boundedTo(screen()->availableSize() - QSize(0, frame));
+    if (minimumHeight() > wanted.height()) {
+        layout()->activate();  // that was before docks shared places
+    }
+    resize(wanted);
     m_docks->restore(QSettings());
     connect(m_menus, &WindowMenus::resetLayoutWanted, m_docks, &WindowDocks::reset);
 }

@@ -57,7 +57,8 @@ void SessionHits::append(std::span<const Hit> hits, SessionUndo::Kind kind, Sess
         return;
     }
     const HistoryEdit edit = appendQuietly(hits);
-    m_session.record({{kind, hits.size()}, merge, {edit}});
+    const std::size_t number = hits.size() == 1 ? m_history.size() : 0;
+    m_session.record({{kind, hits.size(), number}, merge, {edit}});
     m_disabled += countDisabled(hits);
     Q_EMIT appended();
     show(std::nullopt);

@@ -29,7 +29,7 @@ private Q_SLOTS:
         hit();
         hit();
         m_session->hits().clear();
-        const QStringList all{QStringLiteral("Start"), QStringLiteral("Hit"), QStringLiteral("Hit"),
+        const QStringList all{QStringLiteral("Start"), QStringLiteral("Hit 1"), QStringLiteral("Hit 2"),
                               QStringLiteral("Clear 2 Hits")};
         QCOMPARE(texts(), all);
         QCOMPARE(m_model->current(), 3);

@@ -89,7 +89,7 @@ void HitMenusTest::undoNamesTheStep() {
     QCOMPARE(undo->text(), QStringLiteral("&Undo"));
     QVERIFY(!undo->isEnabled());
     addHits(5);
-    QCOMPARE(undo->text(), QStringLiteral("&Undo Hit"));
+    QCOMPARE(undo->text(), QStringLiteral("&Undo Hit 5"));
     m_session->hits().remove(std::vector<std::size_t>{0, 2, 3});
     QCOMPARE(undo->text(), QStringLiteral("&Undo Remove 3 Hits"));
     m_session->hits().move(std::vector<std::size_t>{0}, 2);

@@ -142,11 +142,11 @@ void MainWindowTest::undoAndRedoByKey() {
 
     QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(session.hits().history().size(), std::size_t{0});
-    QCOMPARE(window.statusBar()->currentMessage(), QStringLiteral("Undone: Hit"));
+    QCOMPARE(window.statusBar()->currentMessage(), QStringLiteral("Undone: Hit 1"));
     QTRY_COMPARE_WITH_TIMEOUT(cube.deformed.statistics().changedVertices, std::size_t{0}, kPatience);
     QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
     QCOMPARE(session.hits().history().size(), std::size_t{1});
-    QCOMPARE(window.statusBar()->currentMessage(), QStringLiteral("Redone: Hit"));
+    QCOMPARE(window.statusBar()->currentMessage(), QStringLiteral("Redone: Hit 1"));
     QTRY_COMPARE_WITH_TIMEOUT(cube.deformed.statistics().changedVertices, dented, kPatience);
 }
 

@@ -247,18 +247,23 @@ void WindowDocks::show(const QString& name) {
     }
 }
 
+/// A layout for a small screen is no good on a large one, and the other way round.
+QString WindowDocks::forThisScreen(const QString& key) const {
+    return m_isLow ? key + QStringLiteral("OnSmallScreen") : key;
+}
+
 void WindowDocks::restore(const QSettings& settings) {
     m_firstLayout = m_parts.window.saveState(kLayoutVersion);
     m_frameRate->restoreState(settings.value(kFrameRateKey).toByteArray());
     m_statisticsPanel->restoreState(settings.value(kStatisticsKey).toByteArray());
-    m_parts.window.restoreGeometry(settings.value(kGeometryKey).toByteArray());
-    m_parts.window.restoreState(settings.value(kLayoutKey).toByteArray(), kLayoutVersion);
+    m_parts.window.restoreGeometry(settings.value(forThisScreen(kGeometryKey)).toByteArray());
+    m_parts.window.restoreState(settings.value(forThisScreen(kLayoutKey)).toByteArray(), kLayoutVersion);
 }
 
 void WindowDocks::save(QSettings& settings) {
     if (!m_parts.actions.fullView->isOn()) {  // what is remembered is the window with all its parts
-        settings.setValue(kGeometryKey, m_parts.window.saveGeometry());
-        settings.setValue(kLayoutKey, m_parts.window.saveState(kLayoutVersion));
+        settings.setValue(forThisScreen(kGeometryKey), m_parts.window.saveGeometry());
+        settings.setValue(forThisScreen(kLayoutKey), m_parts.window.saveState(kLayoutVersion));
     }
     settings.setValue(kFrameRateKey, m_frameRate->saveState());
     settings.setValue(kStatisticsKey, m_statisticsPanel->saveState());

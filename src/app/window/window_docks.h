@@ -67,6 +67,7 @@ private:
 
     QDockWidget* add(const QString& name, const QString& title, QWidget* panel, Qt::DockWidgetArea area);
     void make(Docks& docks);
+    [[nodiscard]] QString forThisScreen(const QString& key) const;
     void arrange(const Docks& docks);
     QDockWidget* makeStatisticsDock();
     QDockWidget* makeSceneDock();
