@@ -119,7 +119,7 @@ private Q_SLOTS:
             session.redo();
             QCOMPARE(state(session), after);
         } else {
-            QCOMPARE(session.steps().toUndo(), (SessionUndo::Name{SessionUndo::Kind::Hit, 1}));
+            QCOMPARE(session.steps().toUndo(), (SessionUndo::Name{SessionUndo::Kind::Hit, 1, 6}));
         }
     }
 
