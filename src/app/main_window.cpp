@@ -355,7 +355,7 @@ void MainWindow::restoreWindow() {
     const int frame = style()->pixelMetric(QStyle::PM_TitleBarHeight);
     const QSize wanted = QSize(1440, 900).boundedTo(screen()->availableSize() - QSize(0, frame));
     if (minimumHeight() > wanted.height()) {
-        layout()->activate();  // that was before docks shared places
+        layout()->activate();  // it is from before docks shared places
     }
     resize(wanted);
     m_docks->restore(QSettings());
