@@ -155,7 +155,7 @@ void Session::undo() {
 
 void Session::redo() {
     if (m_undo.canRedo()) {
-        makeAgain(m_undo.redo());
+        makeAgain(doAgain());
     }
 }
 
@@ -168,7 +168,7 @@ void Session::goToStep(std::size_t done) {
         }
     };
     while ((m_undo.done() > done && m_undo.canUndo()) || (m_undo.done() < done && m_undo.canRedo())) {
-        const SessionUndo::Change change = m_undo.done() > done ? takeBack() : m_undo.redo();
+        const SessionUndo::Change change = m_undo.done() > done ? takeBack() : doAgain();
         if (change.scene || change.settings || !change.targets.empty()) {
             announce();
             makeAgain(change);
@@ -181,8 +181,18 @@ void Session::goToStep(std::size_t done) {
     Q_EMIT undoChanged();
 }
 
+/// Dynamic targets are then where they were before the step that is taken back.
 SessionUndo::Change Session::takeBack() {
-    return m_undo.undo(m_hits.history().hits());
+    SessionUndo::Change change =
+        m_undo.undo(m_hits.history().hits(), [this] { return m_simulation.dynamicPlaces(); });
+    m_simulation.putBack(change.places);
+    return change;
+}
+
+SessionUndo::Change Session::doAgain() {
+    SessionUndo::Change change = m_undo.redo([this] { return m_simulation.dynamicPlaces(); });
+    m_simulation.putBack(change.places);
+    return change;
 }
 
 void Session::makeAgain(const SessionUndo::Change& change) {

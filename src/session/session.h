@@ -86,6 +86,7 @@ private:
     /// Vertices will move: the history has these edits.
     void expectMoves(std::span<const HistoryEdit> edits);
     [[nodiscard]] SessionUndo::Change takeBack();
+    [[nodiscard]] SessionUndo::Change doAgain();
     void makeAgain(const SessionUndo::Change& change);
     /// All that goes by a change follows it; the history has it already.
     void follow(const SessionUndo::Change& change);

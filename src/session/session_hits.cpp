@@ -52,13 +52,15 @@ Result<std::vector<Hit>> SessionHits::checked(std::span<const Hit> hits) const {
     return checkedHits;
 }
 
-void SessionHits::append(std::span<const Hit> hits, SessionUndo::Kind kind, SessionUndo::Merge merge) {
+void SessionHits::append(std::span<const Hit> hits, SessionUndo::Kind kind, SessionUndo::Merge merge,
+                         std::vector<TargetPlace> places) {
     if (hits.empty()) {
         return;
     }
     const HistoryEdit edit = appendQuietly(hits);
     const std::size_t number = hits.size() == 1 ? m_history.size() : 0;
-    m_session.record({{kind, hits.size(), number}, merge, {edit}});
+    m_session.record(
+        {.name = {kind, hits.size(), number}, .merge = merge, .edits = {edit}, .places = std::move(places)});
     m_disabled += countDisabled(hits);
     Q_EMIT appended();
     show(std::nullopt);

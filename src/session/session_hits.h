@@ -97,8 +97,9 @@ private:
     void bringBack(std::span<const Hit> hits);
     HistoryEdit appendQuietly(std::span<const Hit> hits);
     /// As a group of `kind` where that is one. The hits have passed checkedHit(), on targets that there are.
+    /// `places`: where dynamic targets were before the hits.
     void append(std::span<const Hit> hits, SessionUndo::Kind kind = SessionUndo::Kind::Hit,
-                SessionUndo::Merge merge = SessionUndo::Merge::Never);
+                SessionUndo::Merge merge = SessionUndo::Merge::Never, std::vector<TargetPlace> places = {});
     [[nodiscard]] Result<std::vector<Hit>> checked(std::span<const Hit> hits) const;
     void setGroup(std::span<const std::size_t> indices, const HitGroup& group, SessionUndo::Kind kind);
     void seeGroups(std::span<const Hit> hits);

@@ -74,7 +74,7 @@ std::size_t bytesOf(const SceneState& scene) {
 }
 
 std::size_t bytesOf(const SessionUndo::Change& change) {
-    std::size_t bytes = sizeof(change);
+    std::size_t bytes = sizeof(change) + change.places.size() * sizeof(TargetPlace);
     for (const HistoryEdit& edit : change.edits) {
         bytes += sizeof(edit) + (edit.before.size() + edit.after.size()) * sizeof(Hit);
     }
@@ -91,7 +91,7 @@ std::size_t bytesOf(const SessionUndo::Change& change) {
 bool onlyMadeHits(const SessionUndo::Change& change) {
     return change.edits.size() == 1 && change.edits[0].before.empty() &&
            change.edits[0].after.size() == change.name.count && change.targets.empty() && !change.settings &&
-           !change.scene;
+           !change.scene && change.places.empty();
 }
 
 SessionUndo::Change inverse(const SessionUndo::Change& change) {
@@ -106,6 +106,17 @@ SessionUndo::Change inverse(const SessionUndo::Change& change) {
     undone.settings = inverse(change.settings);
     undone.scene = inverse(change.scene);
     return undone;
+}
+
+/// Returns `places`, which become the places of the same targets that there are `now`.
+std::vector<TargetPlace> exchanged(std::vector<TargetPlace>& places, std::span<const TargetPlace> now) {
+    std::vector<TargetPlace> before = places;
+    for (TargetPlace& place : places) {
+        const auto found = std::find_if(now.begin(), now.end(),
+                                        [&place](const TargetPlace& other) { return other.id == place.id; });
+        place = found != now.end() ? *found : place;
+    }
+    return before;
 }
 
 }  // namespace
@@ -221,7 +232,7 @@ void SessionUndo::finishStep() {
     }
 }
 
-SessionUndo::Change SessionUndo::undo(std::span<const Hit> hits) {
+SessionUndo::Change SessionUndo::undo(std::span<const Hit> hits, const Places& places) {
     m_redo.push_back(std::move(m_undo.back()));
     m_undo.pop_back();
     Step& undone = m_redo.back();
@@ -231,13 +242,20 @@ SessionUndo::Change SessionUndo::undo(std::span<const Hit> hits) {
         undone.change = std::make_unique<Change>(
             Change{.name = undone.name, .edits = {{undone.first, {}, {made.begin(), made.end()}}}});
     }
-    return inverse(*undone.change);
+    Change change = inverse(*undone.change);
+    if (!undone.change->places.empty()) {
+        change.places = exchanged(undone.change->places, places());
+    }
+    return change;
 }
 
-SessionUndo::Change SessionUndo::redo() {
+SessionUndo::Change SessionUndo::redo(const Places& places) {
     Change change = *m_redo.back().change;
     m_undo.push_back(step(change, m_redo.back().number));
     m_redo.pop_back();
+    if (!change.places.empty()) {
+        change.places = exchanged(m_undo.back().change->places, places());
+    }
     // Undone and made again, it is finished: a later change is a step of its own.
     m_undo.back().finished = true;
     return change;

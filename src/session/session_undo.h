@@ -4,6 +4,7 @@
 #include <QString>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -124,6 +125,8 @@ public:
         std::vector<TargetEdit> targets = {};                           ///< likewise
         std::shared_ptr<const ValueEdit<SettingsState>> settings = {};  ///< null: they stay
         std::shared_ptr<const ValueEdit<SceneState>> scene = {};        ///< null: it stays
+        /// Where dynamic targets are to be; recorded, where they were before hits knocked them about.
+        std::vector<TargetPlace> places = {};
     };
     /// Where nothing changed nothing is recorded; steps that merge and come to nothing go.
     void record(Change change);
@@ -142,10 +145,13 @@ public:
     [[nodiscard]] std::optional<Name> toUndo() const;
     [[nodiscard]] std::optional<Name> toRedo() const;
 
-    /// What to do to take the last change back. canUndo(). `hits`: the history as it is now.
-    [[nodiscard]] Change undo(std::span<const Hit> hits);
-    /// What to do to make the last change taken back again. canRedo().
-    [[nodiscard]] Change redo();
+    using Places = std::function<std::vector<TargetPlace>()>;
+    /// What to do to take the last change back. canUndo(). `hits`: the history as it is now. `places`: where
+    /// the dynamic targets are now; asked for only where the step has places.
+    [[nodiscard]] Change undo(std::span<const Hit> hits, const Places& places = {});
+    /// What to do to make the last change taken back again. canRedo(). It brings targets back to where they
+    /// were when it was taken back.
+    [[nodiscard]] Change redo(const Places& places = {});
     void clear();
 
 private:

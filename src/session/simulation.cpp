@@ -77,7 +77,7 @@ TargetId Simulation::strikeAtOnce(const Ray& ray, const ProjectileSettings& sett
     const auto impact = m_physics.hitscan(ray.origin, ray.direction, settings);
     const std::size_t before = m_session.m_hits.history().size();
     if (impact) {
-        takeImpacts({&*impact, 1});
+        takeImpacts({&*impact, 1}, dynamicPlaces());
     }
     return m_session.m_hits.history().size() > before ? impact->target : TargetId{};
 }
@@ -140,15 +140,20 @@ std::optional<Hit> Simulation::hitOf(const Impact& impact) const {
                                                                          : std::nullopt;
 }
 
-void Simulation::takeImpacts(std::span<const Impact> impacts) {
+void Simulation::takeImpacts(std::span<const Impact> impacts, std::vector<TargetPlace> places) {
     std::vector<Hit> hits;
+    bool movesTargets = false;
     for (const Impact& impact : impacts) {
         if (const std::optional<Hit> hit = hitOf(impact)) {
             hits.push_back(*hit);
             m_tally.hit(impact.projectile, impact.target);
+            movesTargets = movesTargets || m_session.m_targets.find(impact.target)->physics.isDynamic;
         }
     }
-    m_session.m_hits.append(hits);
+    if (!movesTargets) {
+        places.clear();
+    }
+    m_session.m_hits.append(hits, SessionUndo::Kind::Hit, SessionUndo::Merge::Never, std::move(places));
 }
 
 // Colliders
@@ -211,6 +216,7 @@ bool Simulation::beginStep(const IsTimeUp& isTimeUp) {
         }
         Q_EMIT aboutToStep();
         m_colliders.beginStep();
+        m_placesBefore = dynamicPlaces();
         m_stepIsBegun = true;
     }
     return true;
@@ -234,7 +240,7 @@ bool Simulation::step(const IsTimeUp& isTimeUp) {
         return false;
     }
     m_stepIsBegun = false;
-    takeImpacts(*impacts);
+    takeImpacts(*impacts, std::move(m_placesBefore));
     for (const PhysicsWorld::FlightEvent& event : m_physics.takeFlightEvents()) {
         m_tally.follow(event);
     }
@@ -288,6 +294,24 @@ bool Simulation::isMoving() const {
 void Simulation::followDynamicTargets() {
     for (const TargetPose& pose : m_physics.dynamicTargets()) {
         m_session.m_targets.moveTo(pose.id, pose.drawn);
+    }
+}
+
+std::vector<TargetPlace> Simulation::dynamicPlaces() const {
+    std::vector<TargetPlace> places;
+    for (const TargetPose& pose : m_physics.dynamicTargets()) {
+        places.push_back({pose.id, pose.transform});
+    }
+    return places;
+}
+
+void Simulation::putBack(std::span<const TargetPlace> places) {
+    for (const TargetPlace& place : places) {
+        const Target* target = m_session.m_targets.find(place.id);
+        if (target != nullptr && target->physics.isDynamic &&
+            m_physics.moveTarget(place.id, place.transform)) {
+            m_session.m_targets.moveTo(place.id, place.transform);
+        }
     }
 }
 

@@ -99,8 +99,13 @@ private:
     /// The history has these edits now.
     void follow(std::span<const HistoryEdit> edits) { m_colliders.follow(edits); }
 
+    [[nodiscard]] std::vector<TargetPlace> dynamicPlaces() const;
+    /// Puts dynamic targets there, at rest; ids of no dynamic target are passed over.
+    void putBack(std::span<const TargetPlace> places);
+
     [[nodiscard]] std::optional<Hit> hitOf(const Impact& impact) const;
-    void takeImpacts(std::span<const Impact> impacts);
+    /// `places`: where the dynamic targets were before them.
+    void takeImpacts(std::span<const Impact> impacts, std::vector<TargetPlace> places);
     TargetId strikeAtOnce(const Ray& ray, const ProjectileSettings& settings);
     void fire(const ScheduledShot& shot, int volley, int series);
     bool fireScheduled(const IsTimeUp& isTimeUp);
@@ -116,6 +121,7 @@ private:
     ShotSchedule m_schedule;
     ShotTally m_tally;
     bool m_stepIsBegun = false;                 ///< what comes before the next step has been done
+    std::vector<TargetPlace> m_placesBefore;    ///< of the dynamic targets, before the step that is begun
     std::map<TargetId, QString> m_notHittable;  ///< why
     std::unique_ptr<TaskProgress> m_firing;     ///< while shots are due that the frame had no time for
     std::size_t m_mostDue = 0;                  ///< of them

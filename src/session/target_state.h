@@ -30,6 +30,12 @@ struct TargetState {
     std::shared_ptr<const Collider> collider;
 };
 
+/// Where a dynamic target is.
+struct TargetPlace {
+    TargetId id;
+    RigidTransform transform;
+};
+
 /// One change of a session's targets: the one at `index` was `before` and became `after`. Without `before` it
 /// was added there, without `after` it was removed from there; its inverse is the same with both exchanged.
 struct TargetEdit {

@@ -259,7 +259,8 @@ private Q_SLOTS:
             session.simulation().advance(0.1);
         }
         QVERIFY(!session.simulation().isMoving());
-        session.undo();
+        const std::size_t hit = 0;
+        session.hits().setEnabled({&hit, 1}, false);
         for (int i = 0; i < 2; ++i) {
             QSignalSpy pictures(&session, &Session::pictureChanged);
             QVERIFY(session.simulation().updateColliders());
