@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -145,6 +146,21 @@ std::size_t vertexCount(const Primitive& primitive) {
                    2;
     }
     return 0;
+}
+
+float usualPrimitiveSize(const Session& session) {
+    constexpr float kUsual = 2.0f * kPaperHalfExtent;
+    constexpr float kOff = 10.0f;  // times
+    float largest = 0.0f;
+    for (const std::unique_ptr<Target>& target : session.targets()) {
+        largest = std::max(largest, target->visible ? target->extent() : 0.0f);
+    }
+    if (!(largest > 0.0f) || (largest > kUsual / kOff && largest < kUsual * kOff)) {
+        return kUsual;
+    }
+    const double unit = std::pow(10.0, std::floor(std::log10(static_cast<double>(largest))));
+    const double digit = static_cast<double>(largest) / unit;
+    return static_cast<float>(unit * (digit < 1.5 ? 1.0 : digit < 3.5 ? 2.0 : digit < 7.5 ? 5.0 : 10.0));
 }
 
 TargetPlan planPrimitive(const Primitive& primitive) {

@@ -32,6 +32,9 @@ struct PrimitiveTraits {
 [[nodiscard]] QString primitiveName(PrimitiveKind kind);
 
 [[nodiscard]] std::size_t vertexCount(const Primitive& primitive);
+/// Metres: one that suits the scene. That of the paper's targets, or, where the largest one that is shown has
+/// less than a tenth or more than ten times of it, about as large as that one, in round numbers.
+[[nodiscard]] float usualPrimitiveSize(const Session& session);
 /// Standing on y = 0. Cubes and spheres collide exactly, the others with their triangles. Takes seconds for
 /// the finest.
 [[nodiscard]] TargetPlan planPrimitive(const Primitive& primitive);

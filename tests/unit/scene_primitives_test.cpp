@@ -9,6 +9,7 @@
 
 #include "mesh/geodesic_sphere.h"
 #include "mesh/grid_primitives.h"
+#include "mesh/primitives.h"
 #include "mesh/surface/surface_measurer.h"
 #include "session/primitive_target.h"
 #include "session/session.h"
@@ -99,6 +100,24 @@ private Q_SLOTS:
             }
         }
         QVERIFY(longest < 1.5f * shortest);
+    }
+
+    void usualSizeSuitsTheScene_data() {
+        QTest::addColumn<float>("extent");
+        QTest::addColumn<float>("size");
+        QTest::newRow("paper's") << 5.0f << 5.0f;
+        QTest::newRow("near") << 0.6f << 5.0f;
+        QTest::newRow("hand") << 0.23f << 0.2f;
+        QTest::newRow("grain") << 0.002f << 0.002f;
+        QTest::newRow("ship") << 270.0f << 200.0f;
+        QTest::newRow("hill") << 7000.0f << 5000.0f;
+    }
+    void usualSizeSuitsTheScene() {
+        QFETCH(float, extent);
+        Session session;
+        QCOMPARE(usualPrimitiveSize(session), 5.0f);
+        loadMesh(session, makeHighPolySphere(0.5f * extent));
+        QTEST(usualPrimitiveSize(session), "size");
     }
 
     /// No face is smeared over the whole picture where the globe's first meridian meets its last.

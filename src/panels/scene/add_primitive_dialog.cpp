@@ -9,7 +9,7 @@
 
 namespace hitscope {
 
-AddPrimitiveDialog::AddPrimitiveDialog(PrimitiveKind kind, QWidget* parent)
+AddPrimitiveDialog::AddPrimitiveDialog(PrimitiveKind kind, float size, QWidget* parent)
     : QDialog(parent), m_ui(std::make_unique<Ui::AddPrimitive>()) {
     m_ui->setupUi(this);
     m_ui->buttons->button(QDialogButtonBox::Ok)->setText(tr("Add"));
@@ -17,6 +17,7 @@ AddPrimitiveDialog::AddPrimitiveDialog(PrimitiveKind kind, QWidget* parent)
         m_ui->shape->addItem(primitiveName(traits.kind));
     }
     m_ui->shape->setCurrentIndex(static_cast<int>(kind));
+    m_ui->size->showNumber(static_cast<double>(size));
     connect(m_ui->shape, &QComboBox::currentIndexChanged, this, &AddPrimitiveDialog::showKind);
     connect(m_ui->resolution, &QSpinBox::valueChanged, this, &AddPrimitiveDialog::showVertices);
     showKind();

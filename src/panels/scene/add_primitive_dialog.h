@@ -16,7 +16,8 @@ namespace hitscope {
 class AddPrimitiveDialog : public QDialog {
     Q_OBJECT
 public:
-    explicit AddPrimitiveDialog(PrimitiveKind kind, QWidget* parent = nullptr);
+    /// `size`: metres, to begin with.
+    AddPrimitiveDialog(PrimitiveKind kind, float size, QWidget* parent = nullptr);
     ~AddPrimitiveDialog() override;
 
     [[nodiscard]] Primitive primitive() const;

@@ -157,7 +157,7 @@ bool ScenePanel::isAnyVisible(const std::vector<TargetId>& targets) const {
 // Doing
 
 void ScenePanel::addPrimitive(PrimitiveKind kind) {
-    AddPrimitiveDialog dialog(kind, window());
+    AddPrimitiveDialog dialog(kind, usualPrimitiveSize(m_session), window());
     if (dialog.exec() == QDialog::Accepted) {
         const Primitive primitive = dialog.primitive();
         Q_EMIT targetWanted(primitiveName(primitive.kind), [primitive] { return planPrimitive(primitive); });
