@@ -75,6 +75,14 @@ void ColliderFollower::note(const TargetHitsEdit& edit) {
     }
 }
 
+void ColliderFollower::hurry(TargetId target) {
+    const auto found = m_targets.find(target);
+    if (found != m_targets.end() && found->second.dueStep) {
+        found->second.dueStep = m_steps;
+        found->second.isDue = true;
+    }
+}
+
 void ColliderFollower::restore(TargetId target) {
     const auto found = m_targets.find(target);
     if (found != m_targets.end() && found->second.state) {

@@ -35,6 +35,8 @@ public:
     void clear();
     /// The history has been edited so, in the order made.
     void follow(std::span<const HistoryEdit> edits);
+    /// The target's collider takes its dents on at the next step.
+    void hurry(TargetId target);
     /// The target's collider has been made anew, from the original shape.
     void restore(TargetId target);
 

@@ -162,9 +162,10 @@ void Session::redo() {
 /// Steps that only made or changed hits are announced together: there may be a hundred thousand.
 void Session::goToStep(std::size_t done) {
     std::vector<HistoryEdit> edits;
-    const auto announce = [this, &edits] {
+    std::vector<TargetPlace> places;
+    const auto announce = [this, &edits, &places] {
         if (!edits.empty()) {
-            follow({.edits = joined(std::exchange(edits, {}))});
+            follow({.edits = joined(std::exchange(edits, {})), .places = std::exchange(places, {})});
         }
     };
     while ((m_undo.done() > done && m_undo.canUndo()) || (m_undo.done() < done && m_undo.canRedo())) {
@@ -175,6 +176,7 @@ void Session::goToStep(std::size_t done) {
         } else {
             m_hits.makeAgain(change.edits);
             edits.insert(edits.end(), change.edits.begin(), change.edits.end());
+            places.insert(places.end(), change.places.begin(), change.places.end());
         }
     }
     announce();
@@ -215,6 +217,7 @@ void Session::follow(const SessionUndo::Change& change) {
         }
     }
     m_hits.announce(change.edits);
+    m_simulation.shapeAt(change.places);
     for (const TargetEdit& edit : change.targets) {
         if (!edit.after) {
             m_targets.follow(edit);

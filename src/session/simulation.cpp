@@ -315,6 +315,12 @@ void Simulation::putBack(std::span<const TargetPlace> places) {
     }
 }
 
+void Simulation::shapeAt(std::span<const TargetPlace> places) {
+    for (const TargetPlace& place : places) {
+        m_colliders.hurry(place.id);
+    }
+}
+
 // Targets
 
 void Simulation::clear() {

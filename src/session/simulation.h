@@ -102,6 +102,9 @@ private:
     [[nodiscard]] std::vector<TargetPlace> dynamicPlaces() const;
     /// Puts dynamic targets there, at rest; ids of no dynamic target are passed over.
     void putBack(std::span<const TargetPlace> places);
+    /// The history has the hits that belong to these places: the next step finds the targets in that shape,
+    /// and none that a dent keeps off the floor.
+    void shapeAt(std::span<const TargetPlace> places);
 
     [[nodiscard]] std::optional<Hit> hitOf(const Impact& impact) const;
     /// `places`: where the dynamic targets were before them.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QSignalSpy>
 #include <QTest>
+#include <glm/gtc/quaternion.hpp>
 #include <vector>
 
 #include "mesh/grid_primitives.h"
@@ -128,6 +129,36 @@ private Q_SLOTS:
         session.goToStep(done + 2);
         session.goToStep(done);
         QVERIFY(distance(scene.place(), before) < 0.01f);
+    }
+
+    /// Its dent reaches through it: in its shape of before the undo, it would be pushed off the floor.
+    void platesStayOnTheFloor() {
+        Session session;
+        loadMesh(session, makeSheet(40, 40, 2.0f, 2.0f));
+        const Target& plate = *session.targets().front();
+        const glm::quat flat = glm::angleAxis(glm::radians(-90.0f), glm::vec3(1, 0, 0));
+        QVERIFY(session.targets().setTransform(plate.id, {{0, -0.9f, 0}, flat}).ok());
+        TargetPhysics physics;
+        physics.isDynamic = true;
+        QVERIFY(session.targets().setPhysics(plate.id, physics).ok());
+        const auto rest = [&session] {
+            for (int i = 0; i < 600 && session.simulation().isMoving(); ++i) {
+                session.simulation().advance(1.0 / 60.0);
+            }
+        };
+        rest();
+        const glm::vec3 before = plate.transform.position;
+        for (int shot = 0; shot < 3; ++shot) {
+            QVERIFY(session.simulation().hitscan({{0.2f, 5, 0.1f}, {0, -1, 0}}));
+            rest();
+            session.undo();
+            for (int i = 0; i < 30; ++i) {
+                session.simulation().advance(1.0 / 60.0);
+                QVERIFY2(distance(plate.transform.position, before) < 0.003f,
+                         qPrintable(QString::number(distance(plate.transform.position, before))));
+            }
+            rest();
+        }
     }
 
     /// What is not struck may be knocked over by what is.
