@@ -213,6 +213,11 @@ void SessionTargets::change(const Target& target, TargetState after, SessionUndo
 // What a person does
 
 void SessionTargets::add(std::vector<TargetPlan> plans) {
+    for (TargetPlan& plan : plans) {
+        if (plan.sourcePath.isEmpty() && !bounds().empty()) {
+            bringNear(plan, bounds(), m_floorHeight);
+        }
+    }
     makeRoom(plans, boundsOf(m_targets), m_floorHeight);
     std::set<QString> takenNames = names();
     std::vector<TargetEdit> edits;

@@ -6,6 +6,7 @@
 #include <QFile>
 #include <QFileInfo>
 #include <algorithm>
+#include <glm/geometric.hpp>
 #include <memory>
 #include <string>
 #include <utility>
@@ -141,6 +142,16 @@ Bounds worldBounds(const RenderMesh& mesh, const RigidTransform& transform) {
 float floorUnder(const Bounds& target) {
     const float width = std::max(target.size().x, target.size().z);
     return target.min.y - (target.size().y < kFlat * width ? kClearance * width : 0.0f);
+}
+
+void bringNear(TargetPlan& plan, const Bounds& scene, float floor) {
+    const Bounds bounds = worldBounds(*plan.shape.render, plan.transform);
+    if (bounds.empty() ||
+        glm::distance(bounds.centre(), scene.centre()) < bounds.diagonal() + scene.diagonal()) {
+        return;
+    }
+    const glm::vec3 way = scene.centre() - bounds.centre();
+    plan.transform.position += glm::vec3(way.x, floor - bounds.min.y, way.z);
 }
 
 void makeRoom(std::vector<TargetPlan>& plans, std::vector<Bounds> taken, std::optional<float> floor) {

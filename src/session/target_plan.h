@@ -53,6 +53,10 @@ struct ScenePlan {
 /// shots into them.
 [[nodiscard]] float floorUnder(const Bounds& target);
 
+/// Puts a plan where the scene is (world, not empty) and on its floor, at that height (metres), if it is
+/// farther from the scene than both are large together: a shape of our own has no place that matters.
+void bringNear(TargetPlan& plan, const Bounds& scene, float floor);
+
 /// Moves each plan along x past what it would overlap, the ones before it and `taken` (world), leaving a gap;
 /// and, if `floor` is given, up until the floor at that height (metres) is no higher than floorUnder() it.
 /// Plans that are clear stay.

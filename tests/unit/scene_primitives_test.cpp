@@ -120,6 +120,22 @@ private Q_SLOTS:
         QTEST(usualPrimitiveSize(session), "size");
     }
 
+    /// What has coordinates of its own, from a file, keeps them.
+    void shapesComeBesideAFarScene() {
+        Session session;
+        TargetPlan building = planMesh(makeCube(2, 30.0f), QStringLiteral("/building.obj"));
+        building.transform.position = {1000, 80, -500};
+        session.loadScene({QStringLiteral("Far"), {building}, 50.0f});
+        session.targets().add({planPrimitive({PrimitiveKind::Cube, 2, 5.0f})});
+        const Bounds here = session.targets().front()->worldBounds();
+        const Bounds cube = session.targets().back()->worldBounds();
+        QVERIFY(glm::distance(cube.centre(), here.centre()) < here.diagonal());
+        QVERIFY(std::abs(cube.min.y - 50.0f) < 1.0e-3f);
+        QVERIFY(cube.min.x >= here.max.x);
+        session.targets().add({planMesh(makeCube(2, 1.0f), QStringLiteral("/other.obj"))});
+        QCOMPARE(session.targets().back()->transform.position.x, 0.0f);
+    }
+
     /// No face is smeared over the whole picture where the globe's first meridian meets its last.
     void seamIsStitched() {
         for (const int frequency : {2, 7, 16}) {
