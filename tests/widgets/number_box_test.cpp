@@ -96,6 +96,22 @@ private Q_SLOTS:
         QCOMPARE(m_box->value(), 0.0);
     }
 
+    /// The target that it is about moves, and turns.
+    void keepsWhatIsTypedMeanwhile() {
+        m_box->showNumber(185.59);
+        m_box->setFocus();
+        m_box->selectAll();
+        double lower = 185.0;
+        for (const char key : {'1', '5', '0'}) {
+            QTest::keyClick(m_box, key);
+            m_box->setStepsWithin(lower);
+            m_box->showNumber(lower);
+            lower /= 10.0;
+        }
+        QTest::keyClick(m_box, Qt::Key_Tab);
+        QCOMPARE(m_box->value(), 150.0);
+    }
+
 private:
     void type(const QString& text) {
         m_box->setFocus();

@@ -31,6 +31,7 @@ private Q_SLOTS:
     void eyeHidesByMouse();
     void spaceHidesTheSelection();
     void nameIsEditedInPlace();
+    void aNameIsEditedWhileItsTargetMoves();
     void closesWhileANameIsEdited();
     void duplicateAndRemoveByKey();
     void removingAllLeavesAnEmptyPanel();
@@ -145,6 +146,21 @@ void ScenePanelTest::nameIsEditedInPlace() {
     QCOMPARE(m_session->steps().toUndo(), (SessionUndo::Name{SessionUndo::Kind::RenameTarget, 1}));
     m_session->undo();
     QCOMPARE(m_session->targets()[2]->name, QStringLiteral("Low-poly cube 3"));
+}
+
+/// As of targets that are knocked about.
+void ScenePanelTest::aNameIsEditedWhileItsTargetMoves() {
+    click(2);
+    QTest::keyClick(m_table, Qt::Key_F2);
+    auto* editor = m_table->findChild<QLineEdit*>();
+    for (const QChar letter : QStringLiteral("Fall")) {
+        QTest::keyClick(editor, letter.toLatin1());
+        RigidTransform lower = m_session->targets()[2]->transform;
+        lower.position.y += 0.1f;
+        QVERIFY(m_session->targets().setTransform(id(2), lower).ok());
+    }
+    QTest::keyClick(editor, Qt::Key_Return);
+    QTRY_COMPARE_WITH_TIMEOUT(m_session->targets()[2]->name, QStringLiteral("Fall"), kPatience);
 }
 
 void ScenePanelTest::closesWhileANameIsEdited() {

@@ -189,7 +189,8 @@ void NumberBox::focusOutEvent(QFocusEvent* event) {
 }
 
 void NumberBox::setStepsWithin(double span) {
-    if (span > 0.0 && std::isfinite(span)) {
+    // Qt shows the number anew for each step that is set, over what is being typed.
+    if (span > 0.0 && std::isfinite(span) && !isTyping()) {
         setSingleStep(std::pow(10.0, std::floor(std::log10(span)) - 1.0));
     }
 }

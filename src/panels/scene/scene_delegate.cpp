@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/scene/scene_delegate.h"
 
+#include <QLineEdit>
 #include <QMouseEvent>
 #include <QPainter>
 
@@ -44,6 +45,13 @@ void SceneDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
                selected  ? QIcon::Selected
                : visible ? QIcon::Normal
                          : QIcon::Disabled);
+}
+
+void SceneDelegate::setEditorData(QWidget* editor, const QModelIndex& index) const {
+    const auto* line = qobject_cast<const QLineEdit*>(editor);
+    if (line == nullptr || !line->isModified()) {
+        QStyledItemDelegate::setEditorData(editor, index);
+    }
 }
 
 bool SceneDelegate::editorEvent(QEvent* event, QAbstractItemModel* model, const QStyleOptionViewItem& option,
