@@ -138,7 +138,8 @@ void CameraWindowTest::whatIsAddedOutOfSightIsFramed() {
     Viewport& viewport = m_window->viewport();
     viewport.navigation().setGlides(false);
     const Bounds teapot = m_session->targets().bounds();
-    TargetPlan added = planMesh(makeCube(2, 0.02f * teapot.diagonal()));
+    // From a file, it keeps its coordinates.
+    TargetPlan added = planMesh(makeCube(2, 0.02f * teapot.diagonal()), QStringLiteral("/far.obj"));
     const auto isSeen = [&] {
         return isInPicture(coreOf(m_session->targets().find(m_session->targets().selected())->worldBounds()),
                            viewport.camera(), viewport.navigation().aspect(), 0.9f);
