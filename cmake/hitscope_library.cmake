@@ -29,7 +29,8 @@ if(HITSCOPE_SANITIZE STREQUAL "address")
     -fno-omit-frame-pointer $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)  # GCC takes sanitized code for that
   target_link_options(hitscope_options INTERFACE -fsanitize=address,undefined)
 elseif(HITSCOPE_SANITIZE STREQUAL "thread")
-  target_compile_options(hitscope_options INTERFACE -fsanitize=thread -fno-omit-frame-pointer)
+  target_compile_options(hitscope_options INTERFACE -fsanitize=thread -fno-omit-frame-pointer
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(hitscope_options INTERFACE -fsanitize=thread)
 endif()
 if(HITSCOPE_FUZZ AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
