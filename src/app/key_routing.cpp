@@ -13,6 +13,8 @@
 #include <QSpinBox>
 #include <QToolBar>
 
+#include "panels/fields/number_box.h"
+
 namespace hitscope {
 
 namespace {
@@ -59,6 +61,13 @@ void dropTyped(QAbstractSpinBox& box) {
 
 bool isPlain(const QKeyEvent& event) {
     return (event.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) == Qt::NoModifier;
+}
+
+/// Typed where Qt would drop it, as between thousands: of 0,5 there would be 05.
+bool isCommaForPoint(const QAbstractSpinBox& box, const QKeyEvent& event) {
+    return event.text() == QStringLiteral(",") && qobject_cast<const QDoubleSpinBox*>(&box) != nullptr &&
+           qobject_cast<const NumberBox*>(&box) == nullptr &&
+           box.locale().decimalPoint() == QStringLiteral(".");
 }
 
 bool isReturn(const QKeyEvent& event) {
@@ -223,6 +232,11 @@ bool KeyRouting::pressInSpinBox(QAbstractSpinBox& box, QKeyEvent& event) {
     if (isEscape(event) && isTyping(box)) {
         dropTyped(box);
         m_picture.setFocus();
+        return true;
+    }
+    if (isCommaForPoint(box, event)) {
+        QKeyEvent point(event.type(), Qt::Key_Period, event.modifiers(), QStringLiteral("."));
+        QCoreApplication::sendEvent(&box, &point);
         return true;
     }
     const bool isSpace = event.key() == Qt::Key_Space && isPlain(event);

@@ -113,7 +113,7 @@ std::vector<DrawItem> SceneGpu::Private::drawItems() const {
         if (target->visible && gpu != targets.end()) {
             items.push_back({target->id, gpu->second.buffers.get(), materialsToDraw(*target),
                              target->transform.matrix(),
-                             target->id == session.targets().selected() && session.targets().size() > 1,
+                             session.targets().isSelected(target->id) && session.targets().size() > 1,
                              &gpu->second.changed});
             items.back().settled = gpu->second.settled;
             items.back().vertices = target->deformed.vertices();

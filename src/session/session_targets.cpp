@@ -2,7 +2,7 @@
 #include "session/session_targets.h"
 
 #include <algorithm>
-#include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -11,12 +11,6 @@
 namespace hitscope {
 
 namespace {
-
-bool isFinite(const RigidTransform& transform) {
-    const glm::vec3& p = transform.position;
-    const glm::quat& r = transform.rotation;
-    return std::isfinite(p.x + p.y + p.z) && std::isfinite(r.x + r.y + r.z + r.w);
-}
 
 /// "High-poly sphere 3" without its number.
 QString stem(const QString& name) {
@@ -95,9 +89,26 @@ Bounds SessionTargets::bounds() const {
     return visible.empty() ? all : visible;
 }
 
-void SessionTargets::select(TargetId id) {
-    if (id != m_selected && (!id || find(id) != nullptr)) {
+std::vector<TargetId> SessionTargets::allSelected() const {
+    std::vector<TargetId> ids;
+    for (const std::unique_ptr<Target>& target : m_targets) {
+        if (isSelected(target->id)) {
+            ids.push_back(target->id);
+        }
+    }
+    return ids;
+}
+
+void SessionTargets::select(TargetId id, std::span<const TargetId> beside) {
+    if (id && find(id) == nullptr) {
+        return;
+    }
+    std::set<TargetId> others;
+    std::copy_if(beside.begin(), beside.end(), std::inserter(others, others.end()),
+                 [this, id](TargetId other) { return id && other != id && find(other) != nullptr; });
+    if (id != m_selected || others != m_beside) {
         m_selected = id;
+        m_beside = std::move(others);
         Q_EMIT selectedChanged(id);
         Q_EMIT m_session.pictureChanged();
     }
@@ -123,6 +134,8 @@ void SessionTargets::erase(std::size_t index) {
     m_targets.erase(m_targets.begin() + static_cast<std::ptrdiff_t>(index));
     if (m_selected == id) {
         select({});
+    } else if (m_beside.erase(id) > 0) {
+        Q_EMIT selectedChanged(m_selected);
     }
 }
 
@@ -131,6 +144,7 @@ void SessionTargets::erase(std::size_t index) {
 void SessionTargets::clear() {
     m_targets.clear();
     m_selected = {};
+    m_beside.clear();
 }
 
 void SessionTargets::replace(std::vector<TargetPlan> plans, std::optional<float> floorHeight) {
@@ -278,6 +292,11 @@ void SessionTargets::duplicate(std::span<const TargetId> ids) {
         copied.push_back(m_session.m_hits.putIn(hits));
     }
     change(std::move(edits), {SessionUndo::Kind::DuplicateTarget, count}, std::move(copied));
+    std::vector<TargetId> copies;
+    for (std::size_t index = m_targets.size() - count; index < m_targets.size(); ++index) {
+        copies.push_back(m_targets[index]->id);
+    }
+    select(copies.back(), copies);
 }
 
 void SessionTargets::remove(std::span<const TargetId> ids) {
@@ -298,84 +317,6 @@ void SessionTargets::reset(std::span<const TargetId> ids) {
         m_session.m_hits.record(m_session.m_hits.takeOut(hits),
                                 {SessionUndo::Kind::ResetTarget, indicesOf(ids).size()});
     }
-}
-
-Status SessionTargets::rename(TargetId id, const QString& name) {
-    const QString trimmed = name.simplified();
-    if (trimmed.isEmpty()) {
-        return Error{"A target needs a name.", "", "Type at least one letter."};
-    }
-    if (const Target* renamed = find(id); renamed != nullptr && renamed->name != trimmed) {
-        TargetState after = *renamed;
-        after.name = trimmed;
-        change(*renamed, std::move(after), {SessionUndo::Kind::RenameTarget, 1});
-    }
-    return Done{};
-}
-
-void SessionTargets::setVisible(std::span<const TargetId> ids, bool visible) {
-    std::vector<TargetEdit> edits;
-    for (const std::size_t index : indicesOf(ids)) {
-        const Target& changed = *m_targets[index];
-        if (changed.visible != visible) {
-            TargetState after = changed;
-            after.visible = visible;
-            edits.push_back({index, TargetState(changed), std::move(after)});
-        }
-    }
-    const std::size_t count = edits.size();
-    change(std::move(edits),
-           {visible ? SessionUndo::Kind::ShowTarget : SessionUndo::Kind::HideTarget, count});
-}
-
-void SessionTargets::setTexture(std::span<const TargetId> ids, const std::shared_ptr<const MeshData>& mesh,
-                                const LocatedTexture& located) {
-    std::vector<TargetEdit> edits;
-    for (const std::size_t index : indicesOf(ids)) {
-        TargetState after = *m_targets[index];
-        after.shape.mesh = mesh;
-        std::erase_if(after.textures,
-                      [&located](const LocatedTexture& known) { return known.name == located.name; });
-        after.textures.push_back(located);
-        edits.push_back({index, TargetState(*m_targets[index]), std::move(after)});
-    }
-    change(std::move(edits), {SessionUndo::Kind::TargetTexture, 1});
-}
-
-Status SessionTargets::setTransform(TargetId id, const RigidTransform& transform, SessionUndo::Merge merge) {
-    const float length = glm::length(transform.rotation);
-    if (!isFinite(transform) || !(length > 1.0e-6f)) {
-        return Error{"A target can only be put where its position and rotation are finite numbers.", "",
-                     "Keep to the ranges the Scene panel shows."};
-    }
-    const Target* moved = find(id);
-    if (moved == nullptr) {
-        return Done{};
-    }
-    TargetState after = *moved;
-    after.transform = {transform.position, transform.rotation / length};
-    const bool turned = after.transform.rotation != moved->transform.rotation;
-    if (turned || after.transform.position != moved->transform.position) {
-        change(*moved, std::move(after),
-               {turned ? SessionUndo::Kind::RotateTarget : SessionUndo::Kind::MoveTarget, 1}, merge);
-    }
-    return Done{};
-}
-
-Status SessionTargets::setPhysics(TargetId id, const TargetPhysics& physics) {
-    const Target* target = find(id);
-    if (target == nullptr || target->physics == clamped(physics)) {
-        return Done{};
-    }
-    if (Status status = m_session.m_simulation.setTargetPhysics(id, physics); !status) {
-        return status;
-    }
-    TargetState after = *target;
-    after.physics = clamped(physics);
-    change(*target, std::move(after), {SessionUndo::Kind::TargetPhysics, 1},
-           SessionUndo::Merge::WithSameKind);
-    Q_EMIT m_session.pictureChanged();
-    return Done{};
 }
 
 }  // namespace hitscope

@@ -47,8 +47,15 @@ public:
     [[nodiscard]] Bounds bounds() const;
     [[nodiscard]] float floorHeight() const { return m_floorHeight; }  ///< metres, world y
 
+    /// The one that panels are about; none where nothing is selected.
     [[nodiscard]] TargetId selected() const { return m_selected; }
-    void select(TargetId id);
+    /// Whether it is that one, or selected beside it.
+    [[nodiscard]] bool isSelected(TargetId id) const {
+        return id && (id == m_selected || m_beside.count(id));
+    }
+    [[nodiscard]] std::vector<TargetId> allSelected() const;  ///< in the order of the targets
+    /// `beside`: those that are selected with it.
+    void select(TargetId id, std::span<const TargetId> beside = {});
 
     /// Adds them where they are clear of the others and of the floor (makeRoom()), under names of their own.
     /// The last one is selected.
@@ -76,18 +83,23 @@ public:
     /// hits, in their order, goes to those parts (by index). The first one is selected.
     std::vector<TargetId> replaceByParts(TargetId id, std::vector<TargetState> parts,
                                          std::span<const std::vector<std::uint32_t>> partsOfHit);
-    /// Hits go along, since they are kept in the local frame. The rotation is made unit. Refused when a
-    /// number is not finite or the rotation is none.
+    /// Hits go along, since they are kept in the local frame. Rotations are made unit. Nothing is done, and
+    /// an error returned, where a number is not finite or a rotation is none.
+    [[nodiscard]] Status setTransforms(std::span<const TargetPlace> places,
+                                       SessionUndo::Merge merge = SessionUndo::Merge::Never);
     [[nodiscard]] Status setTransform(TargetId id, const RigidTransform& transform,
                                       SessionUndo::Merge merge = SessionUndo::Merge::Never);
-    /// Refused for a target too large to be dynamic.
+    /// Applies `change` to the physics of each. Those too large to be dynamic stay as they are; the error is
+    /// the first one's.
+    [[nodiscard]] Status setPhysics(std::span<const TargetId> ids,
+                                    const std::function<void(TargetPhysics&)>& change);
     [[nodiscard]] Status setPhysics(TargetId id, const TargetPhysics& physics);
 
 Q_SIGNALS:
     void added(hitscope::TargetId target);
-    void removed(hitscope::TargetId target);  ///< its hits went before it
-    void changed(hitscope::TargetId target);  ///< name, transform or visibility
-    void selectedChanged(hitscope::TargetId target);
+    void removed(hitscope::TargetId target);          ///< its hits went before it
+    void changed(hitscope::TargetId target);          ///< name, transform or visibility
+    void selectedChanged(hitscope::TargetId target);  ///< or which ones are selected beside it
 
 private:
     friend class Session;
@@ -120,6 +132,7 @@ private:
     std::uint32_t m_next = 1;  ///< id of the next one that is made
     float m_floorHeight = 0.0f;
     TargetId m_selected;
+    std::set<TargetId> m_beside;  ///< never the selected one, and empty without it
 };
 
 }  // namespace hitscope

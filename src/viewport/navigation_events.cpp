@@ -39,9 +39,10 @@ void Navigation::press(const QMouseEvent& event) {
     m_draggedTo = m_pressedAt;
     m_motion = motionOf(m_preset, event.button(), event.modifiers());
     // Only a press that could be a click waits to see whether it is one; a right click opens a menu.
+    const bool isShifted =
+        event.modifiers().testFlag(Qt::ShiftModifier) && !event.modifiers().testFlag(Qt::ControlModifier);
     const bool mayClick =
-        (event.button() == Qt::LeftButton && !event.modifiers().testFlag(Qt::ShiftModifier)) ||
-        event.button() == Qt::RightButton;
+        (event.button() == Qt::LeftButton && !isShifted) || event.button() == Qt::RightButton;
     m_dragged = !mayClick;
     m_anchor.reset();
     if (m_motion == CameraMotion::Orbit && m_orbitMode == OrbitMode::Point) {

@@ -200,8 +200,11 @@ void Viewport::frameAll(Navigation::Arrival arrival) {
 }
 
 void Viewport::frameSelection() {
-    const Target* target = m_session.targets().find(m_session.targets().selected());
-    m_navigation.frame(target != nullptr ? target->worldBounds() : m_session.targets().bounds());
+    Bounds bounds;
+    for (const TargetId id : m_session.targets().allSelected()) {
+        bounds.add(m_session.targets().find(id)->worldBounds());
+    }
+    m_navigation.frame(bounds.empty() ? m_session.targets().bounds() : bounds);
 }
 
 void Viewport::bringSelectionIntoSight() {

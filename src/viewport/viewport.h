@@ -124,6 +124,7 @@ private:
     void shootAlong(const Ray& sight);
     void click(const QMouseEvent& event);
     void selectAt(const QPointF& position);
+    void toggleAt(const QPointF& position);
     void recentre(const QPointF& position);
 
     Session& m_session;

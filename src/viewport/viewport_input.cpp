@@ -54,6 +54,9 @@ void Viewport::click(const QMouseEvent& event) {
         recentre(event.position());
     } else if (event.button() == Qt::LeftButton && event.modifiers() == Qt::ControlModifier) {
         selectAt(event.position());
+    } else if (event.button() == Qt::LeftButton &&
+               event.modifiers() == (Qt::ControlModifier | Qt::ShiftModifier)) {
+        toggleAt(event.position());
     } else if (event.button() == Qt::LeftButton && m_inspect->tool() == Tool::Shoot) {
         shootAlong(m_navigation.rayAt(event.position()));
     }
@@ -62,6 +65,21 @@ void Viewport::click(const QMouseEvent& event) {
 void Viewport::selectAt(const QPointF& position) {
     const auto met = m_aiming.met(m_navigation.rayAt(position));
     m_session.targets().select(met ? met->target : TargetId{});
+}
+
+void Viewport::toggleAt(const QPointF& position) {
+    const auto met = m_aiming.met(m_navigation.rayAt(position));
+    if (!met) {
+        return;
+    }
+    std::vector<TargetId> selected = m_session.targets().allSelected();
+    if (std::erase(selected, met->target) > 0) {
+        const bool isShown = m_session.targets().selected() == met->target;
+        const TargetId last = selected.empty() ? TargetId{} : selected.back();
+        m_session.targets().select(isShown ? last : m_session.targets().selected(), selected);
+    } else {
+        m_session.targets().select(met->target, selected);
+    }
 }
 
 /// The second press of what the desktop calls a double click is one more click.

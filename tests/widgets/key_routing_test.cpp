@@ -57,10 +57,12 @@ private Q_SLOTS:
         QCOMPARE(m_session->hits().history().size(), std::size_t{1});
         // Return: the number is in force, and the picture has the focus.
         editor->selectAll();
-        QTest::keyClicks(box, QStringLiteral("0.75"));
+        QTest::keyClicks(box, QStringLiteral("0,75"));
         QTest::keyClick(box, Qt::Key_Return);
         QVERIFY(viewport().hasFocus());
         QVERIFY2(editor->text().startsWith(QStringLiteral("0.75")), qPrintable(editor->text()));
+        const double scale = m_session->simulation().physics().clock().timeScale();
+        QCOMPARE(scale, name == QStringLiteral("timeScale") ? 0.75 : 1.0);  // not the key of slow motion
 
         // A box that merely has the focus leaves the keys to the window.
         box->setFocus();

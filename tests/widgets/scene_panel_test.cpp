@@ -2,6 +2,7 @@
 // The Scene panel under real mouse and keys.
 #include <QAction>
 #include <QApplication>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDialog>
 #include <QDialogButtonBox>
@@ -20,13 +21,14 @@
 #include "mesh/primitives.h"
 #include "panels/scene/scene_panel.h"
 #include "support/test_program.h"
+#include "widgets/scene_panel_rig.h"
 
 namespace hitscope::scene_panel_test {
 
-class ScenePanelTest : public QObject {
+class ScenePanelTest : public ScenePanelRig {
     Q_OBJECT
 private Q_SLOTS:
-    void init();
+    void init() { setUp(); }
     void selectionIsOneWithTheSessions();
     void eyeHidesByMouse();
     void spaceHidesTheSelection();
@@ -36,52 +38,9 @@ private Q_SLOTS:
     void duplicateAndRemoveByKey();
     void removingAllLeavesAnEmptyPanel();
     void resetIsOfferedWhereThereAreHits();
-    void positionIsTyped();
-    void stepsInOneFieldAreOneStep();
-    void anglesStayAsTyped();
     void primitiveIsAskedFor();
     void whatCannotBeHitHasAWarning();
-
-private:
-    [[nodiscard]] QPoint place(int row, int column) const {
-        return m_table->visualRect(m_model->index(row, column)).center();
-    }
-    void click(int row, int column = SceneModel::NameColumn, Qt::KeyboardModifiers keys = {}) {
-        QTest::mouseClick(m_table->viewport(), Qt::LeftButton, keys, place(row, column));
-    }
-    [[nodiscard]] TargetId id(std::size_t index) const { return m_session->targets()[index]->id; }
-    template <class Widget>
-    [[nodiscard]] Widget& child(const char* name) const {
-        return *m_panel->findChild<Widget*>(QString::fromLatin1(name));
-    }
-    void typeInto(const char* field, const QString& text) {
-        auto& box = child<QDoubleSpinBox>(field);
-        box.setFocus();
-        box.selectAll();
-        QTest::keyClicks(&box, text);
-        QTest::keyClick(&box, Qt::Key_Return);
-    }
-
-    std::unique_ptr<Session> m_session;
-    std::unique_ptr<SceneModel> m_model;
-    std::unique_ptr<ScenePanel> m_panel;
-    QTableView* m_table = nullptr;
 };
-
-void ScenePanelTest::init() {
-    m_panel.reset();
-    m_model.reset();
-    m_session = std::make_unique<Session>();
-    loadPaperRow(*m_session, kDefaultPaperRow);
-    m_model = std::make_unique<SceneModel>(*m_session);
-    m_panel = std::make_unique<ScenePanel>(*m_session, *m_model);
-    m_table = m_panel->findChild<QTableView*>();
-    m_panel->resize(350, 480);
-    m_panel->show();
-    m_panel->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(m_panel.get()));
-    m_table->setFocus();
-}
 
 void ScenePanelTest::selectionIsOneWithTheSessions() {
     click(2);
@@ -211,46 +170,6 @@ void ScenePanelTest::resetIsOfferedWhereThereAreHits() {
     QTest::mouseClick(&child<QToolButton>("reset"), Qt::LeftButton);
     QCOMPARE(m_session->hits().history().size(), std::size_t{0});
     QVERIFY(!child<QToolButton>("reset").isEnabled());
-}
-
-void ScenePanelTest::positionIsTyped() {
-    click(0);
-    const glm::vec3 before = m_session->targets()[0]->transform.position;
-    typeInto("positionX", QStringLiteral("1.25"));
-    QCOMPARE(m_session->targets()[0]->transform.position, glm::vec3(1.25f, before.y, before.z));
-    typeInto("positionX", QStringLiteral("2.5"));
-    m_session->undo();  // two numbers typed are two steps
-    QCOMPARE(m_session->targets()[0]->transform.position.x, 1.25f);
-    QCOMPARE(child<QDoubleSpinBox>("positionX").value(), 1.25);
-    m_session->undo();
-    QCOMPARE(m_session->targets()[0]->transform.position, before);
-    QVERIFY(!m_session->steps().canUndo());
-}
-
-void ScenePanelTest::stepsInOneFieldAreOneStep() {
-    click(0);
-    auto& box = child<QDoubleSpinBox>("positionY");
-    const double before = box.value();
-    box.setFocus();
-    for (int i = 0; i < 5; ++i) {
-        QTest::keyClick(&box, Qt::Key_Up);
-    }
-    QCOMPARE(m_session->targets()[0]->transform.position.y, static_cast<float>(before + 0.5));
-    m_session->undo();
-    QCOMPARE(m_session->targets()[0]->transform.position.y, static_cast<float>(before));
-    QVERIFY(!m_session->steps().canUndo());
-}
-
-void ScenePanelTest::anglesStayAsTyped() {
-    click(0);
-    typeInto("rotationY", QStringLiteral("120"));
-    typeInto("rotationX", QStringLiteral("200"));
-    QCOMPARE(child<QDoubleSpinBox>("rotationY").value(), 120.0);
-    QCOMPARE(child<QDoubleSpinBox>("rotationX").value(), 200.0);
-    QCOMPARE(m_session->steps().toUndo()->kind, SessionUndo::Kind::RotateTarget);
-    m_session->undo();
-    m_session->undo();
-    QCOMPARE(child<QDoubleSpinBox>("rotationY").value(), 0.0);
 }
 
 void ScenePanelTest::primitiveIsAskedFor() {

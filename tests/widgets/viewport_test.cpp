@@ -233,6 +233,10 @@ void ViewportTest::controlClickSelectsAndShootsNothing() {
     QCOMPARE(m_session->targets().selected(), m_session->targets().front()->id);
     QTest::mouseClick(&viewport, Qt::LeftButton, Qt::ControlModifier, {4, 4});
     QVERIFY(!m_session->targets().selected());
+    for (const std::size_t selected : {1, 0}) {
+        QTest::mouseClick(&viewport, Qt::LeftButton, Qt::ControlModifier | Qt::ShiftModifier, centre());
+        QCOMPARE(m_session->targets().allSelected().size(), selected);
+    }
     QTest::qWait(500);
     QCOMPARE(flying(), std::size_t{0});
     QCOMPARE(m_session->hits().history().size(), std::size_t{0});

@@ -127,6 +127,8 @@ KeysSection mouseKeys(NavigationPreset preset, OrbitMode mode) {
     section.lines.push_back({KeysTexts::tr("Click"), KeysTexts::tr("Shoot at the point under the cursor")});
     section.lines.push_back({KeysTexts::tr("Ctrl+click"),
                              KeysTexts::tr("Select the target there; elsewhere: clear the selection")});
+    section.lines.push_back(
+        {KeysTexts::tr("Ctrl+Shift+click"), KeysTexts::tr("Select the target there too, or no longer")});
     section.lines.push_back({KeysTexts::tr("Middle-click"), KeysTexts::tr("Look at that point from now on")});
     for (const DragBinding& binding : dragBindings(preset)) {
         section.lines.push_back({dragName(binding), motionMeaning(binding.motion, mode)});

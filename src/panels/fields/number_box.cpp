@@ -137,11 +137,12 @@ std::optional<double> NumberBox::read(const QString& text) const {
     if (const std::optional<double> plain = readNumber(typed)) {
         return plain;
     }
-    const auto shown = unitAtEnd(suffix().trimmed());
+    const QString own = m_unit.isEmpty() ? suffix().trimmed() : m_unit;
+    const auto shown = unitAtEnd(own);
     QString length = typed;
     length.replace(QChar(0xb5), u'u').replace(QChar(0x3bc), u'u');  // the two characters for micro
     const auto unit = unitAtEnd(length);
-    if (!shown || !unit || suffix().trimmed() != shown->name) {
+    if (!shown || !unit || own != shown->name) {
         return std::nullopt;
     }
     const std::optional<double> read = readNumber(length.chopped(unit->name.size()).trimmed());

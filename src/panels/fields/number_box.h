@@ -17,6 +17,8 @@ class NumberBox : public QDoubleSpinBox {
 public:
     explicit NumberBox(QWidget* parent = nullptr);
 
+    /// Of lengths, where no suffix shows it but a label does.
+    void setUnit(const QString& unit) { m_unit = unit; }
     /// Emits nothing. Keeps what is being typed.
     void showNumber(double value);
     void showDiffering();
@@ -50,6 +52,7 @@ private:
     [[nodiscard]] QString number(const QString& text) const;
 
     bool m_differs = false;
+    QString m_unit;
 };
 
 }  // namespace hitscope

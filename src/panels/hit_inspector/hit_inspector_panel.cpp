@@ -182,6 +182,7 @@ void HitInspectorPanel::makePoint() {
     const double farthest = hitParameters()[kMaxDistance].maximum;
     for (int axis = 0; axis < 3; ++axis) {
         NumberBox& box = *m_point[static_cast<std::size_t>(axis)];
+        box.setUnit(QStringLiteral("m"));
         box.setRange(-farthest, farthest);
         connect(&box, &NumberBox::edited, this, [this, axis](double value) {
             m_editing.change(PointX + axis,

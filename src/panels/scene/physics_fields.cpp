@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/scene/physics_fields.h"
-#include "panels/help/help_text.h"
 
 #include <QCheckBox>
-#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QSignalBlocker>
+#include <algorithm>
+
+#include "panels/fields/number_box.h"
+#include "panels/help/help_text.h"
 
 namespace hitscope {
 
@@ -20,21 +22,24 @@ PhysicsFields::PhysicsFields(Session& session, QCheckBox& dynamic, const Boxes& 
     : QObject(parent), m_session(session), m_dynamic(dynamic), m_boxes(boxes), m_trouble(trouble) {
     for (std::size_t i = 0; i < m_boxes.size(); ++i) {
         const ParameterDescriptor& parameter = targetParameters()[i];
-        QDoubleSpinBox& box = *m_boxes[i];
-        box.setKeyboardTracking(false);
+        NumberBox& box = *m_boxes[i];
         box.setDecimals(parameter.decimals);
         box.setSingleStep(parameter.step);
         box.setRange(parameter.minimum, parameter.maximum);
         box.setToolTip(QString::fromUtf8(parameter.description));
         box.setMinimumWidth(kNarrowestPhysics);
         box.setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-        connect(&box, &QDoubleSpinBox::valueChanged, this, &PhysicsFields::apply);
+        connect(&box, &NumberBox::edited, this, [this, i](double value) {
+            apply([i, value](TargetPhysics& physics) { setParameterValue(physics, i, value); });
+        });
     }
-    connect(&m_dynamic, &QCheckBox::toggled, this, &PhysicsFields::apply);
+    connect(&m_dynamic, &QCheckBox::toggled, this, [this](bool isDynamic) {
+        apply([isDynamic](TargetPhysics& physics) { physics.isDynamic = isDynamic; });
+    });
     connect(&session, &Session::sceneReplaced, this, &PhysicsFields::show);
     connect(&session.targets(), &SessionTargets::selectedChanged, this, &PhysicsFields::show);
     connect(&session.targets(), &SessionTargets::changed, this, [this](TargetId id) {
-        if (id == m_session.targets().selected()) {
+        if (m_session.targets().isSelected(id)) {
             show();
         }
     });
@@ -44,12 +49,17 @@ PhysicsFields::PhysicsFields(Session& session, QCheckBox& dynamic, const Boxes& 
 void PhysicsFields::show() {
     const Target* target = m_session.targets().find(m_session.targets().selected());
     const TargetPhysics physics = target != nullptr ? target->physics : TargetPhysics{};
+    const std::vector<TargetId> selected = m_session.targets().allSelected();
     const QSignalBlocker quiet(m_dynamic);
     enableIf(m_dynamic, target != nullptr, QObject::tr("Select a target first."));
     m_dynamic.setChecked(physics.isDynamic);
     for (std::size_t i = 0; i < m_boxes.size(); ++i) {
-        const QSignalBlocker still(*m_boxes[i]);
-        m_boxes[i]->setValue(parameterValue(physics, i));
+        m_boxes[i]->showNumber(parameterValue(physics, i));
+        if (std::any_of(selected.begin(), selected.end(), [&](TargetId id) {
+                return parameterValue(m_session.targets().find(id)->physics, i) != parameterValue(physics, i);
+            })) {
+            m_boxes[i]->showDiffering();
+        }
         // What stays where it is has no mass that matters.
         enableIf(*m_boxes[i], target != nullptr && (i > 0 || physics.isDynamic),
                  target == nullptr ? QObject::tr("Select a target first.")
@@ -60,17 +70,9 @@ void PhysicsFields::show() {
     m_trouble.setVisible(!reason.isEmpty());
 }
 
-void PhysicsFields::apply() {
-    const Target* target = m_session.targets().find(m_session.targets().selected());
-    if (target == nullptr) {
-        return;
-    }
-    TargetPhysics physics = target->physics;
-    physics.isDynamic = m_dynamic.isChecked();
-    for (std::size_t i = 0; i < m_boxes.size(); ++i) {
-        setParameterValue(physics, i, m_boxes[i]->value());
-    }
-    if (const Status set = m_session.targets().setPhysics(target->id, physics); !set) {
+void PhysicsFields::apply(const std::function<void(TargetPhysics&)>& change) {
+    const std::vector<TargetId> selected = m_session.targets().allSelected();
+    if (const Status set = m_session.targets().setPhysics(selected, change); !set) {
         show();
         m_trouble.setText(QString::fromStdString(set.error().message()));
         m_trouble.show();

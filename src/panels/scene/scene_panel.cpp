@@ -206,7 +206,8 @@ void ScenePanel::followSelection() {
     m_following = true;
     const QModelIndex current = m_ui->table->selectionModel()->currentIndex();
     const bool chosen = m_ui->table->selectionModel()->isSelected(current);
-    m_session.targets().select(chosen ? m_model.targetAt(current.row()) : TargetId{});
+    const std::vector<TargetId> targets = selectedTargets();
+    m_session.targets().select(chosen ? m_model.targetAt(current.row()) : TargetId{}, targets);
     m_following = false;
     updateActions();
 }
@@ -217,12 +218,17 @@ void ScenePanel::showSelectedTarget() {
     }
     m_following = true;
     const int row = m_model.rowOf(m_session.targets().selected());
-    const QModelIndex current = m_ui->table->currentIndex();
     if (row < 0) {
         m_ui->table->clearSelection();
-    } else if (current.row() != row || !m_ui->table->selectionModel()->isSelected(current)) {
-        selectOnly(*m_ui->table, m_model.index(row, SceneModel::NameColumn));
-        m_ui->table->scrollTo(m_model.index(row, SceneModel::NameColumn));
+    } else if (m_ui->table->currentIndex().row() != row ||
+               selectedTargets() != m_session.targets().allSelected()) {
+        const QModelIndex current = m_model.index(row, SceneModel::NameColumn);
+        selectOnly(*m_ui->table, current);
+        for (const TargetId id : m_session.targets().allSelected()) {
+            m_ui->table->selectionModel()->select(m_model.index(m_model.rowOf(id), SceneModel::NameColumn),
+                                                  QItemSelectionModel::Select | QItemSelectionModel::Rows);
+        }
+        m_ui->table->scrollTo(current);
     }
     m_following = false;
     updateActions();
@@ -241,7 +247,11 @@ void ScenePanel::updateActions() {
     });
     enableIf(*m_reset, isAnyHit, some ? tr("It has no hits.") : tr("Select a target first."));
     const int count = m_model.rowCount();
-    m_ui->summary->setText(count == 0 ? tr("No targets yet") : tr("%Ln {target|targets}", nullptr, count));
+    const auto selected = static_cast<int>(targets.size());
+    m_ui->summary->setText(count == 0 ? tr("No targets yet")
+                           : selected > 1
+                               ? tr("%L1 of %Ln {target|targets} selected", nullptr, count).arg(selected)
+                               : tr("%Ln {target|targets}", nullptr, count));
 }
 
 }  // namespace hitscope

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/scene/transform_fields.h"
 
-#include <QDoubleSpinBox>
-#include <QSignalBlocker>
-
 #include "models/rotation_angles.h"
 #include "panels/fields/number_box.h"
 #include "panels/help/help_text.h"
@@ -24,9 +21,9 @@ TransformFields::TransformFields(Session& session, const Boxes& boxes, QObject* 
     for (int axis = 0; axis < kAxes; ++axis) {
         NumberBox& position = *m_boxes.position[static_cast<std::size_t>(axis)];
         position.setRange(-kFarthest, kFarthest);
+        position.setUnit(QStringLiteral("m"));
         setUp(axis, position);
-        QDoubleSpinBox& rotation = *m_boxes.rotation[static_cast<std::size_t>(axis)];
-        rotation.setKeyboardTracking(false);
+        NumberBox& rotation = *m_boxes.rotation[static_cast<std::size_t>(axis)];
         rotation.setDecimals(2);
         rotation.setSingleStep(5.0);
         rotation.setRange(-kTurns, kTurns);
@@ -45,11 +42,11 @@ TransformFields::TransformFields(Session& session, const Boxes& boxes, QObject* 
     show();
 }
 
-void TransformFields::setUp(int field, QDoubleSpinBox& box) {
+void TransformFields::setUp(int field, NumberBox& box) {
     box.setMinimumWidth(kNarrowestTransform);
     box.setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    connect(&box, &QDoubleSpinBox::valueChanged, this, [this, field](double value) { apply(field, value); });
-    connect(&box, &QDoubleSpinBox::editingFinished, this, [this] { m_stepping = -1; });
+    connect(&box, &NumberBox::edited, this, [this, field](double value) { apply(field, value); });
+    connect(&box, &NumberBox::editingFinished, this, [this] { m_stepping = -1; });
 }
 
 void TransformFields::show() {
@@ -62,28 +59,39 @@ void TransformFields::show() {
         enableIf(position, target != nullptr, QObject::tr("Select a target first."));
         position.setStepsWithin(size);
         position.showNumber(static_cast<double>(transform.position[axis]));
-        QDoubleSpinBox& rotation = *m_boxes.rotation[static_cast<std::size_t>(axis)];
-        const QSignalBlocker quiet(rotation);
+        NumberBox& rotation = *m_boxes.rotation[static_cast<std::size_t>(axis)];
         enableIf(rotation, target != nullptr, QObject::tr("Select a target first."));
-        rotation.setValue(m_angles[axis]);
+        rotation.showNumber(m_angles[axis]);
     }
 }
 
 void TransformFields::apply(int field, double value) {
-    const Target* target = m_session.targets().find(m_session.targets().selected());
+    const TargetId selected = m_session.targets().selected();
+    const Target* target = m_session.targets().find(selected);
     if (target == nullptr) {
         return;
     }
-    RigidTransform transform = target->transform;
-    if (field < kAxes) {
-        transform.position[field] = static_cast<float>(value);
-    } else {
-        m_angles[field - kAxes] = value;
-        transform.rotation = fromAngles(m_angles);
+    const int axis = field % kAxes;
+    const RigidTransform before = target->transform;
+    const double turn = value - m_angles[axis];
+    std::vector<TargetPlace> places;
+    for (const TargetId id : m_session.targets().allSelected()) {
+        RigidTransform transform = m_session.targets().find(id)->transform;
+        if (field < kAxes) {
+            const float step = static_cast<float>(value) - before.position[axis];
+            transform.position[axis] =
+                id == selected ? static_cast<float>(value) : transform.position[axis] + step;
+        } else {
+            glm::dvec3 angles = toAngles(transform.rotation, m_angles);
+            angles[axis] = id == selected ? value : angles[axis] + turn;
+            transform.rotation = fromAngles(angles);
+        }
+        places.push_back({id, transform});
     }
+    m_angles[axis] = field < kAxes ? m_angles[axis] : value;
     const auto merge = m_stepping == field ? SessionUndo::Merge::WithSameKind : SessionUndo::Merge::Never;
     m_stepping = field;
-    if (!m_session.targets().setTransform(target->id, transform, merge).ok()) {
+    if (!m_session.targets().setTransforms(places, merge).ok()) {
         show();
     }
 }

@@ -7,28 +7,26 @@
 
 #include "session/session.h"
 
-class QDoubleSpinBox;
-
 namespace hitscope {
 
 class NumberBox;
 
-/// Six number fields that show and set where the selected target is: x, y, z in metres, then the angles about
-/// x, y, z in degrees. A number typed is one step to undo, and so is a run of steps by wheel or arrow keys in
-/// one field.
+/// Six number fields that show where the selected target is: x, y, z in metres, then the angles about x, y, z
+/// in degrees. A change of a number moves or turns all that are selected by as much; typed, it is one step to
+/// undo, and so is a run of steps by wheel or arrow keys in one field.
 class TransformFields : public QObject {
     Q_OBJECT
 public:
     struct Boxes {
         std::array<NumberBox*, 3> position{};
-        std::array<QDoubleSpinBox*, 3> rotation{};
+        std::array<NumberBox*, 3> rotation{};
     };
     /// `session` and the boxes outlive this.
     TransformFields(Session& session, const Boxes& boxes, QObject* parent = nullptr);
 
 private:
     void show();
-    void setUp(int field, QDoubleSpinBox& box);
+    void setUp(int field, NumberBox& box);
     void apply(int field, double value);
 
     Session& m_session;
