@@ -11,6 +11,7 @@
 
 #include "app/session_files.h"
 #include "session/shown_number.h"
+#include "session/work_on_targets.h"
 
 namespace hitscope {
 
@@ -65,7 +66,7 @@ DiscardGuard::DiscardGuard(Session& session, SessionFiles& files, QWidget& windo
 }
 
 bool DiscardGuard::isAtRisk() const {
-    return m_files.isModified() && (!m_files.path().isEmpty() || hitsAtRisk() > 0);
+    return m_files.isModified() && (!m_files.path().isEmpty() || hitsAtRisk() > 0 || areTargetsAtRisk());
 }
 
 void DiscardGuard::letGo() {
@@ -111,11 +112,21 @@ std::size_t DiscardGuard::hitsAtRisk() const {
     }));
 }
 
+bool DiscardGuard::areTargetsAtRisk() const {
+    const SessionTargets& targets = m_session.targets();
+    return hasWorkOnTargets(m_session.steps()) &&
+           !std::all_of(targets.begin(), targets.end(), [this](const std::unique_ptr<Target>& target) {
+               return m_exported.contains(target->id);
+           });
+}
+
 QMessageBox* DiscardGuard::makeBox() {
     const std::size_t hits = hitsAtRisk();
     const QString what = !m_files.path().isEmpty()
                              ? tr("Changes of %1 are not saved.").arg(QFileInfo(m_files.path()).fileName())
-                             : tr("%Ln {hit|hits} on this scene {is|are} not saved.", nullptr, trCount(hits));
+                         : hits > 0
+                             ? tr("%Ln {hit|hits} on this scene {is|are} not saved.", nullptr, trCount(hits))
+                             : tr("Changes of this scene's targets are not saved.");
     auto* box =
         new QMessageBox(QMessageBox::Question, tr("Save session"), what, QMessageBox::NoButton, &m_window);
     box->setObjectName(QStringLiteral("discardHits"));

@@ -77,6 +77,8 @@ private:
     [[nodiscard]] std::vector<TargetId> targetsAtRisk() const;
     [[nodiscard]] State stateOfAll() const;
     [[nodiscard]] std::size_t hitsAtRisk() const;
+    /// They were added, moved or changed, and not all of them were exported.
+    [[nodiscard]] bool areTargetsAtRisk() const;
     QMessageBox* makeBox();
     void take(QMessageBox& box, const std::function<void()>& then);
     void beginSave();

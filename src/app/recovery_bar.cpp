@@ -135,11 +135,13 @@ void RecoveryBar::take(const std::shared_ptr<Found>& found) {
     m_found = found;
     const SessionDocument& document = found->read->document;
     const QString when = QLocale().toString(found->changed, QLocale::ShortFormat);
-    const QString hits = tr("%Ln {hit|hits}", nullptr, trCount(document.hits.size()));
+    const QString work = document.hits.empty()
+                             ? tr("%Ln {target|targets}", nullptr, trCount(document.targets.size()))
+                             : tr("%Ln {hit|hits}", nullptr, trCount(document.hits.size()));
     const QString name =
         found->read->file.isEmpty() ? document.scene.name : QFileInfo(found->read->file).fileName();
     m_text->setText(tr("Hitscope ended unexpectedly. The session “%1” of %2, with %3, can be recovered.")
-                        .arg(name, when, hits));
+                        .arg(name, when, work));
     const QPixmap picture = pictureOf(found->read->picture, devicePixelRatioF());
     m_picture->setPixmap(picture);
     m_picture->setVisible(!picture.isNull());

@@ -5,6 +5,7 @@
 
 #include "session/session.h"
 #include "session/vertex_selection.h"
+#include "session/work_on_targets.h"
 
 namespace hitscope {
 
@@ -55,9 +56,11 @@ SessionJournal::~SessionJournal() {
     flush();
 }
 
-/// A session without hits has cost nobody work yet; one that had some is kept when they are taken out.
+/// A session without hits and with the targets that it was opened with has cost nobody work yet; one that had
+/// some is kept when they are taken out.
 bool SessionJournal::isWorthIt() const {
-    return m_isBegun || m_hadHits || m_session.hits().history().size() > 0;
+    return m_isBegun || m_hadHits || m_session.hits().history().size() > 0 ||
+           hasWorkOnTargets(m_session.steps());
 }
 
 void SessionJournal::note(Section section) {

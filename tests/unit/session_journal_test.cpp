@@ -53,6 +53,7 @@ private Q_SLOTS:
         m_session.reset();
     }
     void beginsWithTheFirstHit();
+    void beginsWithTargets();
     void followsWhatAPersonDoes();
     void anotherScene();
     void otherMeshes();
@@ -199,6 +200,17 @@ void SessionJournalTest::doSomethingElse(std::mt19937& random) {
                     .ok());
             break;
     }
+}
+
+void SessionJournalTest::beginsWithTargets() {
+    const TargetId first = m_session->targets().front()->id;
+    m_session->targets().setVisible({&first, 1}, false);
+    QTest::qWait(20);
+    QCOMPARE(files(), qsizetype{0});
+    m_session->targets().duplicate({&first, 1});
+    compare();
+    QVERIFY(m_session->targets().setTransform(first, RigidTransform{{1.0f, 2.0f, 3.0f}}).ok());
+    compare();
 }
 
 void SessionJournalTest::followsWhatAPersonDoes() {

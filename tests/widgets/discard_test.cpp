@@ -66,6 +66,7 @@ private Q_SLOTS:
     void asks_data();
     void asks();
     void doesNotAskForNothing();
+    void asksForTargets();
     void doesNotAskForTheFirstScene();
     void closingAsks();
     void savesElsewhereWhereTheFolderIsGone();
@@ -197,6 +198,33 @@ void DiscardTest::doesNotAskForNothing() {
     QVERIFY(!guard->isAtRisk());
     m_window->close();
     QVERIFY(!m_window->isVisible());
+}
+
+/// Targets that were added or moved are work, too; what is shown of them is not.
+void DiscardTest::asksForTargets() {
+    auto* guard = m_window->findChild<DiscardGuard*>();
+    QVERIFY(!guard->isAtRisk());
+    const TargetId first = m_session->targets().front()->id;
+    m_session->targets().setVisible({&first, 1}, false);
+    QVERIFY(!guard->isAtRisk());
+    m_session->targets().duplicate({&first, 1});
+    QVERIFY(guard->isAtRisk());
+    m_window->close();
+    QVERIFY(m_window->isVisible());
+    auto* box = discardQuestion(*m_window);
+    QVERIFY(box != nullptr);
+    QCOMPARE(box->text(), QStringLiteral("Changes of this scene's targets are not saved."));
+    box->reject();
+    m_session->undo();
+    QVERIFY(!guard->isAtRisk());
+    QVERIFY(m_session->targets().setTransform(first, RigidTransform{{1.0f, 2.0f, 3.0f}}).ok());
+    QVERIFY(guard->isAtRisk());
+    trigger("Utah Teapot");
+    box = discardQuestion(*m_window);
+    QVERIFY(box != nullptr);
+    box->reject();
+    QVERIFY(m_window->exportTo(path("kept.obj")).ok());
+    QVERIFY(!guard->isAtRisk());
 }
 
 /// The hits that the program opens with are not the person's.
