@@ -75,6 +75,8 @@ void BadInputTest::content_data() {
         "a.stl, line 5");
     row("picture as GLB", "a.glb", png, "It cannot be read as GLB");
     row("cut GLB", "a.glb", QByteArray("glTF\2\0\0\0\xff\xff\0\0\xf0\xff\0\0JSON{\"asset\"", 29), "a.glb");
+    row("binary glTF 1.0", "a.glb", QByteArray("glTF\1\0\0\0\x16\0\0\0\2\0\0\0\0\0\0\0{}", 22),
+        "It is binary glTF 1.0");
     row("text as glTF", "a.gltf", "{\"asset\":", "It cannot be read as GLTF");
     row("text as DAE", "a.dae", "<COLLADA", "a.dae");
     row("picture as FBX", "a.fbx", png, "a.fbx");

@@ -68,6 +68,8 @@ private Q_SLOTS:
     void copiesTakeMemoryForWhatIsChanged() {
 #ifndef __linux__
         QSKIP("Copies share memory on Linux only.");
+#elif defined(__SANITIZE_THREAD__)
+        QSKIP("The thread sanitizer takes memory for what is read.");
 #else
         constexpr int kCount = 32 << 20;  // 128 MiB
         const PageVector<int> original = counting(kCount);

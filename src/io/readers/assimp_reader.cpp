@@ -345,6 +345,12 @@ Result<ImportedMesh> readWithAssimp(const QString& path, std::string_view conten
         if (why.find("bad_alloc") != std::string::npos) {
             throw std::bad_alloc();
         }
+        constexpr std::string_view kBinaryOfVersion1("glTF\1", 5);
+        if (content.starts_with(kBinaryOfVersion1)) {
+            return Error{"It is binary glTF 1.0, which cannot be read.",
+                         {},
+                         "Save it as glTF 2.0 with the program it came from."};
+        }
         return unreadable(suffix, why, {});
     }
     if (const Status checked = checkAfter(*scene, promised.value()); !checked) {
