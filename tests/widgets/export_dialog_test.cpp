@@ -32,7 +32,9 @@ private Q_SLOTS:
     void putsAllTargetsIntoTheScene();
     void readsLargeFilesBackOnlyWhenAsked();
     void remembersTheLastChoice();
+    void offersTheSelectedTargets();
     void exportsAgainWithoutAsking();
+    void exportsTheSelectedTargets();
 
 private:
     template <class Part>
@@ -76,10 +78,10 @@ void ExportDialogTest::offersWhatTheFormatHolds() {
 
 void ExportDialogTest::putsAllTargetsIntoTheScene() {
     ExportDialog dialog({.target = QStringLiteral("one"), .targets = 3, .hits = 0});
-    QVERIFY(!dialog.isOfAll());
+    QVERIFY(dialog.scope() == ExportScope::OneTarget);
     QVERIFY(!dialog.options().inWorld);
     part<QComboBox>(dialog, "what").setCurrentIndex(1);
-    QVERIFY(dialog.isOfAll());
+    QVERIFY(dialog.scope() == ExportScope::AllTargets);
     QVERIFY(dialog.options().inWorld);
     QVERIFY(!part<QComboBox>(dialog, "frame").isEnabled());
 }
@@ -87,8 +89,8 @@ void ExportDialogTest::putsAllTargetsIntoTheScene() {
 void ExportDialogTest::readsLargeFilesBackOnlyWhenAsked() {
     std::uint64_t bytes = 99'000'000;
     ExportDialog::Choice choice{.target = QStringLiteral("one"), .targets = 2, .hits = 0};
-    choice.estimate = [&bytes](bool all, const ExportOptions&) {
-        return ExportEstimate{1000, 2000, all ? 2 * bytes : bytes};
+    choice.estimate = [&bytes](ExportScope scope, const ExportOptions&) {
+        return ExportEstimate{1000, 2000, scope == ExportScope::AllTargets ? 2 * bytes : bytes};
     };
     ExportDialog dialog(choice);
     QVERIFY(dialog.options().readBack);
@@ -132,10 +134,64 @@ void ExportDialogTest::remembersTheLastChoice() {
         several.save(settings);
         ExportDialog again({.target = QStringLiteral("one"), .targets = 3, .hits = 2});
         again.load(settings);
-        QVERIFY(again.isOfAll());
+        QVERIFY(again.scope() == ExportScope::AllTargets);
         part<QComboBox>(again, "what").setCurrentIndex(0);
         QCOMPARE(again.options().inWorld, inWorld);
     }
+}
+
+void ExportDialogTest::offersTheSelectedTargets() {
+    QSettings settings;
+    for (const std::size_t selected : {0, 1, 2, 3}) {
+        ExportDialog dialog({.target = QStringLiteral("one"), .targets = 3, .selected = selected});
+        dialog.load(settings);
+        const bool isOffered = selected == 2;
+        QCOMPARE(part<QComboBox>(dialog, "what").count(), isOffered ? 3 : 2);
+        QCOMPARE(dialog.scope() == ExportScope::SelectedTargets, isOffered);
+        QCOMPARE(dialog.options().inWorld, dialog.scope() != ExportScope::OneTarget);
+    }
+}
+
+void ExportDialogTest::exportsTheSelectedTargets() {
+    QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+    QSettings().clear();
+    Session session;
+    loadMesh(session, makeHighPolyCube(2.5f));
+    session.targets().add({planMesh(makeLowPolyCube()), planMesh(makeLowPolyCube())});
+    session.targets().select(session.targets()[2]->id, std::vector{session.targets()[1]->id});
+    MainWindow window(session);
+    showReady(window);
+    const QString path = m_folder.filePath(QStringLiteral("two.obj"));
+    const auto objects = [&path] {
+        QFile file(path);
+        return file.open(QIODevice::ReadOnly) ? file.readAll().count("\no ") : -1;
+    };
+    QTimer timer;
+    connect(&timer, &QTimer::timeout, &window, [&] {
+        QWidget* const modal = QApplication::activeModalWidget();
+        if (auto* options = qobject_cast<ExportDialog*>(modal)) {
+            choose(*options, ExportFormat::Obj);
+            options->accept();
+        } else if (auto* dialog = qobject_cast<QFileDialog*>(modal)) {
+            timer.stop();
+            dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->setText(path);
+            QMetaObject::invokeMethod(dialog, "accept");
+        }
+    });
+    timer.start(50);
+    QTest::keyClick(&window, Qt::Key_E, Qt::ControlModifier);
+    QTRY_COMPARE_WITH_TIMEOUT(objects(), 2, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(window.statusBar()->currentMessage().contains(QStringLiteral("2 targets")),
+                             kPatience);
+    // Again: those, whatever is selected now; not where one of them is gone.
+    session.targets().select(session.targets()[0]->id);
+    QVERIFY(QFile::remove(path));
+    makeActive(window);
+    QTest::keyClick(&window, Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
+    QTRY_COMPARE_WITH_TIMEOUT(objects(), 2, kPatience);
+    const TargetId last = session.targets()[2]->id;
+    session.targets().remove({&last, 1});
+    QVERIFY(!window.findChild<QAction*>(QStringLiteral("exportAgain"))->isEnabled());
 }
 
 void ExportDialogTest::exportsAgainWithoutAsking() {

@@ -7,11 +7,11 @@
 #include <QFileInfo>
 #include <QMenu>
 #include <QSettings>
+#include <algorithm>
 
 #include "analysis/changed_settings.h"
 #include "app/actions/menu_building.h"
 #include "app/dialogs/dialogs.h"
-#include "app/dialogs/export_dialog.h"
 #include "app/mesh_exporter.h"
 #include "app/settings/app_settings.h"
 #include "models/focus_target.h"
@@ -92,7 +92,7 @@ void ExportActions::fill(QMenu& menu) {
 void ExportActions::follow() {
     const bool isAny = !m_session.targets().empty();
     // Another target under the same name would be written over the file of the first.
-    const bool isThere = m_last && isAny && (m_last->ofAll || lastTarget() != nullptr);
+    const bool isThere = m_last && !lastTargets().empty();
     enableIf(*m_export, isAny, tr("There is no target to export."));
     enableIf(*m_again, isThere,
              m_last ? tr("What was exported last is not in the scene.") : tr("Nothing was exported yet."));
@@ -101,28 +101,43 @@ void ExportActions::follow() {
                              : tr("Export A&gain"));
 }
 
-/// What was exported last, or what a refined or reloaded mesh has made of it; null: it is not in the scene.
-const Target* ExportActions::lastTarget() const {
-    if (const Target* target = m_session.targets().find(m_last->target)) {
+/// It, or what a refined or reloaded mesh has made of it; null: it is not in the scene.
+const Target* ExportActions::find(const Written& written) const {
+    if (const Target* target = m_session.targets().find(written.id)) {
         return target;
     }
     for (const std::unique_ptr<Target>& target : m_session.targets()) {
-        if (isSameSource(target->source, m_last->source) && target->name == m_last->name) {
+        if (isSameSource(target->source, written.source) && target->name == written.name) {
             return target.get();
         }
     }
     return nullptr;
 }
 
-/// All, or the one in focus; none in an empty scene.
-std::vector<const Target*> ExportActions::targets(bool all) const {
+/// What was exported last; none where a part of it is not in the scene.
+std::vector<const Target*> ExportActions::lastTargets() const {
+    if (m_last->scope == ExportScope::AllTargets) {
+        return targets(ExportScope::AllTargets);
+    }
+    std::vector<const Target*> found;
+    for (const Written& written : m_last->targets) {
+        found.push_back(find(written));
+    }
+    return std::find(found.begin(), found.end(), nullptr) == found.end() ? found
+                                                                         : std::vector<const Target*>();
+}
+
+/// Of one: that in focus. None in an empty scene.
+std::vector<const Target*> ExportActions::targets(ExportScope scope) const {
     std::vector<const Target*> chosen;
-    if (all) {
-        for (const auto& target : m_session.targets()) {
+    if (scope == ExportScope::OneTarget) {
+        const Target* target = focusTarget(m_session);
+        return target != nullptr ? std::vector{target} : chosen;
+    }
+    for (const auto& target : m_session.targets()) {
+        if (scope == ExportScope::AllTargets || m_session.targets().isSelected(target->id)) {
             chosen.push_back(&*target);
         }
-    } else if (const Target* target = focusTarget(m_session)) {
-        chosen.push_back(target);
     }
     return chosen;
 }
@@ -135,10 +150,11 @@ void ExportActions::choose() {
     ExportDialog::Choice choice;
     choice.target = tr("“%1”").arg(target->name);
     choice.targets = m_session.targets().size();
+    choice.selected = m_session.targets().allSelected().size();
     choice.hits = m_session.hits().shown().size();
     choice.shown = m_settings.exportNormals.value_or(m_viewport.options().normals);
-    choice.estimate = [this](bool all, const ExportOptions& options) {
-        return estimateExport(targets(all), options, m_session.hits().shown());
+    choice.estimate = [this](ExportScope scope, const ExportOptions& options) {
+        return estimateExport(targets(scope), options, m_session.hits().shown());
     };
     ExportDialog dialog(std::move(choice), &m_window);
     if (!m_session.hits().showsAll()) {  // the history was moved back
@@ -154,27 +170,22 @@ void ExportActions::choose() {
     const ExportOptions options = dialog.options();
     const NormalMode shown = m_viewport.options().normals;
     m_settings.exportNormals = options.normals == shown ? std::nullopt : std::optional(options.normals);
-    target = focusTarget(m_session);
-    if (target == nullptr) {
-        return;
-    }
-    const QString path = choosePath(*target, dialog.isOfAll(), options.format);
-    if (!path.isEmpty()) {
-        m_last = Last{path, dialog.isOfAll(), target->id, target->name, target->source, options};
-        beginOf(targets(dialog.isOfAll()), path, options);
+    const bool isAny = !targets(dialog.scope()).empty();
+    const QString path = isAny ? choosePath(targets(dialog.scope()), options.format) : QString();
+    const std::vector<const Target*> chosen = targets(dialog.scope());  // as they are after the questions
+    if (!path.isEmpty() && !chosen.empty()) {
+        m_last = Last{path, dialog.scope(), {}, options};
+        for (const Target* each : chosen) {
+            m_last->targets.push_back({each->id, each->name, each->source});
+        }
+        beginOf(chosen, path, options);
         follow();
     }
 }
 
 void ExportActions::again() {
-    if (!m_last) {
-        return;
-    }
-    const Target* one = lastTarget();
-    if (m_last->ofAll) {
-        beginOf(targets(true), m_last->path, m_last->options);
-    } else if (one != nullptr) {
-        beginOf({one}, m_last->path, m_last->options);
+    if (m_last && !lastTargets().empty()) {
+        beginOf(lastTargets(), m_last->path, m_last->options);
     }
 }
 
@@ -193,9 +204,9 @@ QString ExportActions::whatReplacingDoes(const QString& path) const {
 }
 
 /// Empty: none was chosen.
-QString ExportActions::choosePath(const Target& target, bool ofAll, ExportFormat format) {
+QString ExportActions::choosePath(const std::vector<const Target*>& targets, ExportFormat format) {
     const QString suffix = QLatin1String(traitsOf(format).suffix);
-    const QString name = ofAll ? QStringLiteral("scene") : exportName(target);
+    const QString name = targets.size() > 1 ? QStringLiteral("scene") : exportName(*targets.front());
     const QString path = askSaveName(
         &m_window, {.title = tr("Export deformed mesh"),
                     .suggested = suggestedPath(existingFolder(m_settings.folder), name,

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/dialogs/export_dialog.h"
 #include "core/ids.h"
 #include "core/result.h"
 #include "session/export/export_options.h"
@@ -56,19 +57,24 @@ Q_SIGNALS:
     void ended(const QString& path, bool isWritten);
 
 private:
+    /// A target that was written; name and source know it when its mesh was replaced.
+    struct Written {
+        TargetId id;
+        QString name;
+        TargetSource source;
+    };
     /// What was written last.
     struct Last {
         QString path;
-        bool ofAll = false;
-        TargetId target;  // where it is not of all; the next two know it when its mesh was replaced
-        QString name;
-        TargetSource source;
+        ExportScope scope = ExportScope::OneTarget;
+        std::vector<Written> targets;
         ExportOptions options;
     };
-    [[nodiscard]] std::vector<const Target*> targets(bool all) const;
-    [[nodiscard]] const Target* lastTarget() const;
+    [[nodiscard]] std::vector<const Target*> targets(ExportScope scope) const;
+    [[nodiscard]] const Target* find(const Written& written) const;
+    [[nodiscard]] std::vector<const Target*> lastTargets() const;
     [[nodiscard]] QString whatReplacingDoes(const QString& path) const;
-    [[nodiscard]] QString choosePath(const Target& target, bool ofAll, ExportFormat format);
+    [[nodiscard]] QString choosePath(const std::vector<const Target*>& targets, ExportFormat format);
     [[nodiscard]] ExportOptions shownAs(const QString& path, std::optional<NormalMode> normals) const;
     void beginOf(const std::vector<const Target*>& targets, const QString& path,
                  const ExportOptions& options);

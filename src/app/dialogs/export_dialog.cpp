@@ -72,8 +72,15 @@ void ExportDialog::makeRows(QFormLayout& form) {
     for (const ExportFormatTraits& traits : exportFormats()) {
         formats += tr(traits.name);
     }
-    m_what = addCombo(form, tr("&What:"), "what",
-                      {m_choice.target, tr("All %n targets, in one file", nullptr, targets)});
+    m_what = addCombo(form, tr("&What:"), "what", {});
+    m_what->addItem(m_choice.target, static_cast<int>(ExportScope::OneTarget));
+    if (m_choice.selected > 1 && m_choice.selected < m_choice.targets) {
+        m_what->addItem(
+            tr("The %n selected targets, in one file", nullptr, static_cast<int>(m_choice.selected)),
+            static_cast<int>(ExportScope::SelectedTargets));
+    }
+    m_what->addItem(tr("All %n targets, in one file", nullptr, targets),
+                    static_cast<int>(ExportScope::AllTargets));
     enableIf(*m_what, targets > 1, tr("There is one target."));
     m_format = addCombo(form, tr("&Format:"), "format", formats);
     m_frame = addCombo(form, tr("&Coordinates:"), "frame",
@@ -118,7 +125,7 @@ QWidget* ExportDialog::makeSteps() {
 }
 
 ExportEstimate ExportDialog::estimate() const {
-    return m_choice.estimate ? m_choice.estimate(isOfAll(), options()) : ExportEstimate();
+    return m_choice.estimate ? m_choice.estimate(scope(), options()) : ExportEstimate();
 }
 
 bool ExportDialog::isLarge() const {
@@ -128,13 +135,13 @@ bool ExportDialog::isLarge() const {
 void ExportDialog::follow() {
     const ExportFormatTraits& format = traitsOf(options().format);
     const QSignalBlocker stillFrame(m_frame);
-    if (isOfAll() && !m_frameOfOne) {
+    if (!isOfOne() && !m_frameOfOne) {
         m_frameOfOne = m_frame->currentIndex();
         m_frame->setCurrentIndex(1);
-    } else if (!isOfAll() && m_frameOfOne) {
+    } else if (isOfOne() && m_frameOfOne) {
         m_frame->setCurrentIndex(*std::exchange(m_frameOfOne, std::nullopt));
     }
-    enableIf(*m_frame, !isOfAll(), tr("Several targets are written as they stand in the scene."));
+    enableIf(*m_frame, isOfOne(), tr("Several targets are written as they stand in the scene."));
     const QString noNormals = tr("%1 has no normals of vertices.").arg(tr(format.name));
     enableIf(*m_normals, format.hasNormals, noNormals);
     enableIf(*m_allNormals, format.hasNormals, noNormals);
@@ -160,8 +167,15 @@ void ExportDialog::follow() {
                                  .arg(bytes, vertices, locale.toString(static_cast<qulonglong>(size.faces))));
 }
 
-bool ExportDialog::isOfAll() const {
-    return m_what->currentIndex() == 1;
+ExportScope ExportDialog::scope() const {
+    return static_cast<ExportScope>(m_what->currentData().toInt());
+}
+
+/// Where it is not offered, it stays as it is.
+void ExportDialog::setScope(ExportScope scope) {
+    if (const int item = m_what->findData(static_cast<int>(scope)); item >= 0) {
+        m_what->setCurrentIndex(item);
+    }
 }
 
 ExportOptions ExportDialog::options() const {
@@ -186,7 +200,9 @@ void ExportDialog::load(const QSettings& settings) {
     }
     m_frame->setCurrentIndex(settings.value(QStringLiteral("export/inWorld"), false).toBool() ? 1 : 0);
     if (m_choice.targets > 1) {
-        m_what->setCurrentIndex(settings.value(QStringLiteral("export/all"), false).toBool() ? 1 : 0);
+        setScope(settings.value(QStringLiteral("export/all"), false).toBool() ? ExportScope::AllTargets
+                                                                              : ExportScope::OneTarget);
+        setScope(ExportScope::SelectedTargets);  // who selects several means them
     }
     m_allNormals->setChecked(settings.value(QStringLiteral("export/allNormals"), false).toBool());
     m_hasSteps->setChecked(settings.value(QStringLiteral("export/hasSteps"), false).toBool());
@@ -201,8 +217,8 @@ void ExportDialog::load(const QSettings& settings) {
 void ExportDialog::save(QSettings& settings) const {
     settings.setValue(QStringLiteral("export/format"), QLatin1String(traitsOf(options().format).key));
     settings.setValue(QStringLiteral("export/inWorld"), m_frameOfOne.value_or(m_frame->currentIndex()) == 1);
-    if (m_choice.targets > 1) {
-        settings.setValue(QStringLiteral("export/all"), isOfAll());
+    if (m_choice.targets > 1 && scope() != ExportScope::SelectedTargets) {
+        settings.setValue(QStringLiteral("export/all"), scope() == ExportScope::AllTargets);
     }
     settings.setValue(QStringLiteral("export/allNormals"), m_allNormals->isChecked());
     settings.setValue(QStringLiteral("export/hasSteps"), m_hasSteps->isChecked());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QDialog>
+#include <cstdint>
 #include <functional>
 #include <optional>
 
@@ -16,6 +17,8 @@ class QSpinBox;
 
 namespace hitscope {
 
+enum class ExportScope : std::uint8_t { OneTarget, SelectedTargets, AllTargets };
+
 /// Asks what is to be exported, and how.
 class ExportDialog : public QDialog {
     Q_OBJECT
@@ -24,15 +27,16 @@ public:
     struct Choice {
         QString target;                       ///< the one in focus, for people
         std::size_t targets = 1;              ///< in the scene
+        std::size_t selected = 0;             ///< of these; offered where they are several, and not all
         std::size_t hits = 0;                 ///< that made what is shown
         NormalMode shown = NormalMode::True;  ///< normals on the screen
-        /// What an export of the one target, or of all, would amount to.
-        std::function<ExportEstimate(bool all, const ExportOptions&)> estimate = {};
+        /// What an export of these would amount to.
+        std::function<ExportEstimate(ExportScope, const ExportOptions&)> estimate = {};
     };
     explicit ExportDialog(Choice choice, QWidget* parent = nullptr);
 
     [[nodiscard]] ExportOptions options() const;
-    [[nodiscard]] bool isOfAll() const;
+    [[nodiscard]] ExportScope scope() const;
 
     void load(const QSettings& settings);
     void save(QSettings& settings) const;
@@ -43,6 +47,8 @@ private:
     void follow();
     [[nodiscard]] ExportEstimate estimate() const;
     [[nodiscard]] bool isLarge() const;
+    [[nodiscard]] bool isOfOne() const { return scope() == ExportScope::OneTarget; }
+    void setScope(ExportScope scope);
 
     Choice m_choice;
     QComboBox* m_what = nullptr;
