@@ -28,7 +28,7 @@ void append(std::string& bytes, Number number, bool big) {
 std::string binaryPly(bool big) {
     std::string file =
         "ply\nformat binary_" + std::string(big ? "big" : "little") +
-        "_endian 1.0\ncomment made by a test\nobj_info nothing\n"
+        "_endian 1.0\ncomment made by a test\nobj_info nothing\nCreated by a program\n"
         "element camera 1\nproperty double zoom\nproperty list uchar short rows\n"
         "element vertex 4\nproperty double x\nproperty float y\nproperty short z\n"
         "property list ushort int neighbours\nproperty float nx\nproperty float ny\n"
@@ -232,6 +232,7 @@ void PlyTest::refuses_data() {
     };
     row("not a ply", "GIF89a", "does not begin with \"ply\"");
     row("header cut", "ply\nformat ascii 1.0\nelement ver", "is not a line of a PLY header");
+    row("stray line", "ply\nformat ascii 1.0\nelement vertex 1\nproprty float x\nend_header\n", "line 4");
     row("no end of header", "ply\nformat ascii 1.0\n", "ends inside its header");
     row("no format", "ply\nelement vertex 0\nend_header\n", "does not say which format");
     row("unknown format", "ply\nformat utf8 1.0\nend_header\n", "line 2: \"format utf8 1.0\" is not");

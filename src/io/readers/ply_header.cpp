@@ -157,7 +157,9 @@ Result<PlyHeader> parsePlyHeader(std::string_view start, std::uint64_t fileSize)
             }
             return header;
         } else {
-            good = keyword.empty() || keyword == "obj_info";
+            // Old Blenders name themselves without the word "comment". Further on, a misspelt line could be
+            // one that the data depends on.
+            good = keyword.empty() || keyword == "obj_info" || (hasFormat && header.elements.empty());
         }
         if (!good) {
             return lineError(number, text);
