@@ -193,6 +193,15 @@ private Q_SLOTS:
         }
     }
 
+    void windowOnADisplayThatIsNotThereSaysSo() {
+        const CliRun run = runCli({QStringLiteral("bench"), QStringLiteral("latency"),
+                                   QStringLiteral("--vertices"), QStringLiteral("500")},
+                                  {{QStringLiteral("DISPLAY"), QStringLiteral(":65535")}});
+        QCOMPARE(run.status, 4);
+        QVERIFY2(run.err.contains(QStringLiteral("could not connect to display :65535")),
+                 qPrintable(run.err));
+    }
+
     // Table 2 has the paper's way beside Hitscope's, and the paper's ratio stands beside the measured ones.
     void paperStandsBesidePaper() {
         const CliRun run =

@@ -113,6 +113,15 @@ private Q_SLOTS:
         QCOMPARE(back.cornerVertices, mesh.original.mesh.cornerVertices);
     }
 
+    void strayLinesBecomeComments() {
+        QTemporaryDir folder;
+        const std::string source = replaced(kAscii, "obj_info kept", "Made by a program");
+        const DentedFile mesh(writeFile(folder.path(), QStringLiteral("a.ply"), source));
+        const QString path = folder.filePath(QStringLiteral("b.ply"));
+        QVERIFY(exportPly(mesh.what(), path, {}));
+        QVERIFY(readFile(path).find("\r\ncomment Made by a program\r\nelement camera") != std::string::npos);
+    }
+
     void longFilesAreReadInParts_data() {
         QTest::addColumn<int>("blanks");
         QTest::newRow("short") << 0;

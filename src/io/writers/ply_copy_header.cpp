@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QFileInfo>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/give_up.h"
@@ -15,6 +16,12 @@ const char* nameOf(PlyEncoding encoding) {
     return encoding == PlyEncoding::Ascii          ? "ascii"
            : encoding == PlyEncoding::LittleEndian ? "binary_little_endian"
                                                    : "binary_big_endian";
+}
+
+/// Before the first element: what the reader passes over, and other programs may not.
+bool isStray(std::string_view keyword) {
+    static constexpr std::array kKnown{"", "ply", "format", "comment", "obj_info", "end_header"};
+    return std::find(kKnown.begin(), kKnown.end(), keyword) == kKnown.end();
 }
 
 }  // namespace
@@ -119,6 +126,7 @@ std::string PlyCopy::newHeader() const {
             continue;
         }
         element += keyword == "element" ? 1 : 0;
+        header += element < 0 && isStray(keyword) ? "comment " : "";
         header += whole;
         if (element == vertices && (keyword == "property" || keyword == "element")) {
             insertAt = header.size();

@@ -113,9 +113,12 @@ Result<QJsonObject> WindowRoom::measure(const QString& what, const QString& mesh
                                         QStringLiteral("--height"), QString::number(m_height)} +
                                 options);
     if (!window.waitForFinished(-1) || window.exitStatus() != QProcess::NormalExit) {
+        const QByteArray said = window.readAllStandardError().trimmed().split('\n').first();
         return Error{
-            "The program that uses the window ended by itself: " + window.errorString().toStdString() + ".",
-            m_program.toStdString(), "Please report this with the renderer's name."};
+            "The program that uses the window ended by itself: " + window.errorString().toStdString() +
+                (said.isEmpty() ? "." : ". It said: " + said.toStdString()),
+            m_program.toStdString(),
+            "Check DISPLAY; otherwise, please report this with the renderer's name."};
     }
     const QJsonObject measured = QJsonDocument::fromJson(window.readAllStandardOutput()).object();
     if (window.exitCode() != 0 || measured.isEmpty()) {
