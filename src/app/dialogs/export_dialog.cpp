@@ -87,10 +87,9 @@ void ExportDialog::makeRows(QFormLayout& form) {
                        {tr("Those of the mesh's file"), tr("Those of the scene")});
     m_normals = addCombo(form, tr("&Normals:"), "normals", {tr("True"), tr("The paper's")});  // by NormalMode
     m_normals->setCurrentIndex(static_cast<int>(m_choice.shown));
-    m_allNormals =
-        addCheck(form, tr("For &all corners"), "allNormals",
-                 tr("Also where the mesh's file has none; otherwise only those are written that it "
-                    "has and that changed"));
+    m_allNormals = addCheck(form, tr("&Also where the file has none"), "allNormals",
+                            tr("One for each corner; otherwise only those are written that the mesh's file "
+                               "has and that changed"));
     form.addRow({}, makeSteps());
     m_readBack = addCheck(form, tr("&Read the file back and compare"), "readBack",
                           tr("Every vertex and face is held against what was to be written. For files under "
@@ -101,7 +100,7 @@ QWidget* ExportDialog::makeSteps() {
     auto* row = new QWidget(this);
     auto* layout = new QHBoxLayout(row);
     layout->setContentsMargins(0, 0, 0, 0);
-    m_hasSteps = new QCheckBox(tr("&Animate"), row);
+    m_hasSteps = new QCheckBox(tr("Ani&mate"), row);
     m_hasSteps->setObjectName(QStringLiteral("hasSteps"));
     m_hasSteps->setToolTip(
         tr("A morph target for each hit or group of hits, and an animation that goes through them. Where "
