@@ -196,7 +196,8 @@ private Q_SLOTS:
     void windowOnADisplayThatIsNotThereSaysSo() {
         const CliRun run = runCli({QStringLiteral("bench"), QStringLiteral("latency"),
                                    QStringLiteral("--vertices"), QStringLiteral("500")},
-                                  {{QStringLiteral("DISPLAY"), QStringLiteral(":65535")}});
+                                  {{QStringLiteral("DISPLAY"), QStringLiteral(":65535")},
+                                   {QStringLiteral("QT_QPA_PLATFORM"), QStringLiteral("xcb")}});
         QCOMPARE(run.status, 4);
         QVERIFY2(run.err.contains(QStringLiteral("could not connect to display :65535")),
                  qPrintable(run.err));
