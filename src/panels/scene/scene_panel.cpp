@@ -141,6 +141,7 @@ std::vector<TargetId> ScenePanel::selectedTargets() const {
     }
     std::sort(rows.begin(), rows.end());
     std::vector<TargetId> targets;
+    targets.reserve(rows.size());
     for (const int row : rows) {
         targets.push_back(m_model.targetAt(row));
     }
