@@ -4,7 +4,9 @@
 #include <QCheckBox>
 #include <QLabel>
 #include <QSignalBlocker>
+#include <QTimer>
 #include <algorithm>
+#include <utility>
 
 #include "panels/fields/number_box.h"
 #include "panels/help/help_text.h"
@@ -39,8 +41,14 @@ PhysicsFields::PhysicsFields(Session& session, QCheckBox& dynamic, const Boxes& 
     connect(&session, &Session::sceneReplaced, this, &PhysicsFields::show);
     connect(&session.targets(), &SessionTargets::selectedChanged, this, &PhysicsFields::show);
     connect(&session.targets(), &SessionTargets::changed, this, [this](TargetId id) {
-        if (m_session.targets().isSelected(id)) {
+        if (id == m_session.targets().selected()) {
             show();
+        } else if (m_session.targets().isSelected(id) && !std::exchange(m_isToShow, true)) {
+            // Once for all: many may move at a time.
+            QTimer::singleShot(0, this, [this] {
+                m_isToShow = false;
+                show();
+            });
         }
     });
     show();
@@ -49,14 +57,15 @@ PhysicsFields::PhysicsFields(Session& session, QCheckBox& dynamic, const Boxes& 
 void PhysicsFields::show() {
     const Target* target = m_session.targets().find(m_session.targets().selected());
     const TargetPhysics physics = target != nullptr ? target->physics : TargetPhysics{};
-    const std::vector<TargetId> selected = m_session.targets().allSelected();
+    const SessionTargets& targets = m_session.targets();
     const QSignalBlocker quiet(m_dynamic);
     enableIf(m_dynamic, target != nullptr, QObject::tr("Select a target first."));
     m_dynamic.setChecked(physics.isDynamic);
     for (std::size_t i = 0; i < m_boxes.size(); ++i) {
         m_boxes[i]->showNumber(parameterValue(physics, i));
-        if (std::any_of(selected.begin(), selected.end(), [&](TargetId id) {
-                return parameterValue(m_session.targets().find(id)->physics, i) != parameterValue(physics, i);
+        if (std::any_of(targets.begin(), targets.end(), [&](const std::unique_ptr<Target>& each) {
+                return targets.isSelected(each->id) &&
+                       parameterValue(each->physics, i) != parameterValue(physics, i);
             })) {
             m_boxes[i]->showDiffering();
         }

@@ -33,6 +33,7 @@ private:
     QCheckBox& m_dynamic;
     Boxes m_boxes;
     QLabel& m_trouble;
+    bool m_isToShow = false;  ///< once the event loop has its turn
 };
 
 }  // namespace hitscope
