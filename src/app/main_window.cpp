@@ -60,7 +60,7 @@
 #include "app/window/window_menus.h"
 #include "document/journal_files.h"
 #include "viewport/aim_preview.h"
-#include "viewport/hit_handles.h"
+#include "viewport/handles/hit_handles.h"
 #include "viewport/inspect_tool.h"
 #include "viewport/surface/surface_format.h"
 #include "viewport/viewport.h"

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "viewport/axis_colours.h"
 #include "viewport/navigation.h"
 
 namespace hitscope {
@@ -55,9 +56,7 @@ QString letterOf(StandardView view) {
 
 QColor colourOf(StandardView view) {
     const glm::vec3 axis = axisOf(view);
-    return axis.x != 0   ? QColor(0xe2, 0x4d, 0x5c)
-           : axis.y != 0 ? QColor(0x5f, 0xa8, 0x32)
-                         : QColor(0x3d, 0x83, 0xe0);
+    return axisColour(axis.x != 0 ? 0 : axis.y != 0 ? 1 : 2);
 }
 
 }  // namespace

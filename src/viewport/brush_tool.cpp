@@ -7,12 +7,12 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/mat4x4.hpp>
 #include <limits>
 #include <numbers>
 
 #include "session/paced_advance.h"
 #include "session/session.h"
+#include "viewport/handles/handle_geometry.h"
 #include "viewport/inspect_tool.h"
 #include "viewport/outline_overlay.h"
 #include "viewport/viewport.h"
@@ -26,10 +26,6 @@ constexpr int kRingEvery = 16;    // milliseconds
 constexpr double kAKey = 1.15;    // by how much a key or a notch changes the size
 constexpr int kRingSides = 48;
 constexpr double kWheelNotch = 120.0;  // QWheelEvent::angleDelta() of one
-
-double lengthOf(const QPointF& way) {
-    return std::hypot(way.x(), way.y());
-}
 
 }  // namespace
 
@@ -307,18 +303,12 @@ void BrushTool::showRing() {
         std::abs(met->normal.y) > 0.9f ? glm::vec3(1.0f, 0.0f, 0.0f) : glm::vec3(0.0f, 1.0f, 0.0f);
     const glm::vec3 right = radiusOf(modelOn(met->target)) * glm::normalize(glm::cross(other, met->normal));
     const glm::vec3 up = glm::cross(met->normal, right);
-    const Camera& camera = m_viewport.camera();
-    const glm::mat4 toClip = camera.projection(m_viewport.navigation().aspect()) * camera.view();
-    const bool isHalf = m_viewport.options().sideBySide;
-    const double width = isHalf ? m_viewport.width() / 2.0 : m_viewport.width();
     QPolygonF ring;
     for (int side = 0; side < kRingSides; ++side) {
         const float angle = 2.0f * std::numbers::pi_v<float> * static_cast<float>(side) / kRingSides;
-        const glm::vec4 clip =
-            toClip * glm::vec4(met->point + std::cos(angle) * right + std::sin(angle) * up, 1.0f);
-        if (clip.w > 0.0f) {
-            ring.append({0.5 * (1.0 + static_cast<double>(clip.x / clip.w)) * width,
-                         0.5 * (1.0 - static_cast<double>(clip.y / clip.w)) * m_viewport.height()});
+        if (const auto place =
+                placeInPicture(m_viewport, met->point + std::cos(angle) * right + std::sin(angle) * up)) {
+            ring.append(*place);
         }
     }
     m_ring->show(ring);

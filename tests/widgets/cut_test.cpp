@@ -22,7 +22,7 @@
 #include "session/target.h"
 #include "support/baseline.h"
 #include "support/test_program.h"
-#include "viewport/cut_handle.h"
+#include "viewport/handles/cut_handle.h"
 #include "viewport/inspect_tool.h"
 #include "widgets/window_support.h"
 

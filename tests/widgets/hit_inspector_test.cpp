@@ -16,7 +16,7 @@
 #include "models/hit_history_model.h"
 #include "panels/hit_inspector/hit_inspector_panel.h"
 #include "support/test_program.h"
-#include "viewport/hit_grip.h"
+#include "viewport/handles/handle_grip.h"
 #include "viewport/inspect_tool.h"
 #include "widgets/window_support.h"
 
@@ -230,14 +230,14 @@ private:
     Widget* child(const char* name) {
         return dock()->findChild<Widget*>(QString::fromLatin1(name));
     }
-    HitGrip* grip(const QString& name) { return viewport().findChild<HitGrip*>(name); }
+    HandleGrip* grip(const QString& name) { return viewport().findChild<HandleGrip*>(name); }
     const Hit& hit(std::size_t index) const { return m_session->hits().history().hits()[index]; }
     std::size_t changed() const {
         return m_session->targets().front()->deformed.statistics().changedVertices;
     }
     /// Outwards from the hit's point by that many pixels.
     void drag(const QString& name, int pixels, bool escape = false) {
-        HitGrip* held = grip(name);
+        HandleGrip* held = grip(name);
         QTRY_VERIFY_WITH_TIMEOUT(held->isVisible(), kPatience);
         const QPointF from = viewport().mapToGlobal(held->centre());
         const QPointF middle = viewport().mapToGlobal(0.5 * (grip(QStringLiteral("hitDepth"))->centre() +

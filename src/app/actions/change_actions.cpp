@@ -8,8 +8,8 @@
 #include "analysis/hit_effects.h"
 #include "panels/change/change_panel.h"
 #include "panels/help/help_text.h"
+#include "viewport/handles/wipe_handle.h"
 #include "viewport/viewport.h"
-#include "viewport/wipe_handle.h"
 
 namespace hitscope {
 

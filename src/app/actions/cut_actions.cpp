@@ -12,7 +12,7 @@
 #include "panels/cutting_plane/cutting_plane_panel.h"
 #include "panels/icons/themed_icon.h"
 #include "session/target.h"
-#include "viewport/cut_handle.h"
+#include "viewport/handles/cut_handle.h"
 #include "viewport/viewport.h"
 
 namespace hitscope {

@@ -49,7 +49,6 @@ private:
         bool isAlongSight;  ///< the normal is no direction in the picture
     };
     [[nodiscard]] glm::vec3 middle() const;
-    [[nodiscard]] std::optional<QPointF> placeOf(const glm::vec3& point) const;
     [[nodiscard]] float moved(const Drag& drag, const QPointF& to) const;
     void endDrag();
 

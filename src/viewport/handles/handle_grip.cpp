@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "viewport/hit_grip.h"
+#include "viewport/handles/handle_grip.h"
 
 #include <QCoreApplication>
 #include <QMouseEvent>
@@ -13,7 +13,7 @@ constexpr int kGripSize = 18;  // logical pixels across
 
 }  // namespace
 
-HitGrip::HitGrip(QWidget& over, const QString& name, const QString& toolTip) : QWidget(&over) {
+HandleGrip::HandleGrip(QWidget& over, const QString& name, const QString& toolTip) : QWidget(&over) {
     setObjectName(name);
     setToolTip(toolTip);
     setAccessibleName(toolTip);
@@ -25,12 +25,12 @@ HitGrip::HitGrip(QWidget& over, const QString& name, const QString& toolTip) : Q
     hide();
 }
 
-void HitGrip::place(const QPointF& centre) {
+void HandleGrip::place(const QPointF& centre) {
     m_centre = centre;
     move((centre - QPointF(0.5 * kGripSize, 0.5 * kGripSize)).toPoint());
 }
 
-void HitGrip::letGo() {
+void HandleGrip::letGo() {
     if (m_isHeld) {
         m_isHeld = false;
         setCursor(Qt::OpenHandCursor);
@@ -38,7 +38,7 @@ void HitGrip::letGo() {
     }
 }
 
-void HitGrip::paintEvent(QPaintEvent*) {
+void HandleGrip::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     const bool isHeld = m_isOver || m_isHeld;
@@ -47,7 +47,7 @@ void HitGrip::paintEvent(QPaintEvent*) {
     painter.drawEllipse(QRectF(rect()).adjusted(3.0, 3.0, -3.0, -3.0));
 }
 
-void HitGrip::mousePressEvent(QMouseEvent* event) {
+void HandleGrip::mousePressEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton) {
         event->ignore();
         return;
@@ -59,7 +59,7 @@ void HitGrip::mousePressEvent(QMouseEvent* event) {
     Q_EMIT taken();
 }
 
-void HitGrip::mouseMoveEvent(QMouseEvent* event) {
+void HandleGrip::mouseMoveEvent(QMouseEvent* event) {
     if (!m_isHeld) {
         event->ignore();  // the camera's
         return;
@@ -67,7 +67,7 @@ void HitGrip::mouseMoveEvent(QMouseEvent* event) {
     Q_EMIT draggedTo(parentWidget()->mapFromGlobal(event->globalPosition()) + m_offset);
 }
 
-void HitGrip::mouseReleaseEvent(QMouseEvent* event) {
+void HandleGrip::mouseReleaseEvent(QMouseEvent* event) {
     if (!m_isHeld || event->button() != Qt::LeftButton) {
         event->ignore();
         return;
@@ -76,7 +76,7 @@ void HitGrip::mouseReleaseEvent(QMouseEvent* event) {
     Q_EMIT released();
 }
 
-void HitGrip::enterEvent(QEnterEvent*) {
+void HandleGrip::enterEvent(QEnterEvent*) {
     // The picture under it is not pointed at any more.
     QEvent leave(QEvent::Leave);
     QCoreApplication::sendEvent(parentWidget(), &leave);
@@ -84,7 +84,7 @@ void HitGrip::enterEvent(QEnterEvent*) {
     update();
 }
 
-void HitGrip::leaveEvent(QEvent*) {
+void HandleGrip::leaveEvent(QEvent*) {
     m_isOver = false;
     update();
 }

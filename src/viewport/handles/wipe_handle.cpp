@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "viewport/wipe_handle.h"
+#include "viewport/handles/wipe_handle.h"
 
 #include <QMouseEvent>
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "viewport/cut_handle.h"
+#include "viewport/handles/cut_handle.h"
 
 #include <QCoreApplication>
 #include <QKeyEvent>
@@ -8,32 +8,24 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/mat4x4.hpp>
 
 #include "view/change_options.h"
+#include "viewport/handles/handle_geometry.h"
 #include "viewport/viewport.h"
 
 namespace hitscope {
 
 namespace {
 
-constexpr int kSize = 34;             // logical pixels across
-constexpr double kArrow = 12.0;       // logical pixels from the middle to a tip
-constexpr double kHead = 4.5;         // logical pixels
-constexpr float kAlongSight = 0.97f;  // cosine, beyond which the normal is no direction in the picture
-constexpr int kRoundOffsets = 60;     // at most, across the scene
+constexpr int kSize = 34;          // logical pixels across
+constexpr double kArrow = 12.0;    // logical pixels from the middle to a tip
+constexpr double kHead = 4.5;      // logical pixels
+constexpr int kRoundOffsets = 60;  // at most, across the scene
 
 QPolygonF headOf(const QPointF& tip, const QPointF& along) {
     const QPointF across(-along.y(), along.x());
     return QPolygonF(
         {tip, tip - kHead * along + 0.7 * kHead * across, tip - kHead * along - 0.7 * kHead * across});
-}
-
-/// How far along `along` (unit) from `start` the line through there comes nearest to a ray.
-float nearestTo(const Ray& ray, const glm::vec3& start, const glm::vec3& along) {
-    const glm::vec3 apart = start - ray.origin;
-    const float cosine = glm::dot(along, ray.direction);
-    return (cosine * glm::dot(ray.direction, apart) - glm::dot(along, apart)) / (1.0f - cosine * cosine);
 }
 
 }  // namespace
@@ -60,19 +52,6 @@ glm::vec3 CutHandle::middle() const {
     return planeFrame(m_viewport.options().cut, m_bounds).middle;
 }
 
-/// In the left of two pictures.
-std::optional<QPointF> CutHandle::placeOf(const glm::vec3& point) const {
-    const Camera& camera = m_viewport.camera();
-    const float aspect = m_viewport.navigation().aspect();
-    const glm::vec4 clip = camera.projection(aspect) * camera.view() * glm::vec4(point, 1.0f);
-    if (clip.w <= 0.0f) {
-        return std::nullopt;
-    }
-    const double width = m_viewport.options().sideBySide ? m_viewport.width() / 2.0 : m_viewport.width();
-    return QPointF(0.5 * (1.0 + static_cast<double>(clip.x / clip.w)) * width,
-                   0.5 * (1.0 - static_cast<double>(clip.y / clip.w)) * m_viewport.height());
-}
-
 void CutHandle::follow() {
     const CuttingPlane& cut = m_viewport.options().cut;
     if (!cut.on || m_bounds.empty()) {
@@ -81,14 +60,15 @@ void CutHandle::follow() {
         return;
     }
     const glm::vec3 at = middle();
-    const std::optional<QPointF> place = placeOf(at);
-    const std::optional<QPointF> tip = placeOf(at + 0.05f * m_bounds.diagonal() * cut.openSide());
+    const std::optional<QPointF> place = placeInPicture(m_viewport, at);
+    const std::optional<QPointF> tip =
+        placeInPicture(m_viewport, at + 0.05f * m_bounds.diagonal() * cut.openSide());
     setVisible(place.has_value());
     if (!place) {
         return;
     }
     const QPointF way = tip.value_or(*place) - *place;
-    const double length = std::hypot(way.x(), way.y());
+    const double length = lengthOf(way);
     const bool isAlong = std::abs(glm::dot(cut.normal, m_viewport.camera().forward())) > kAlongSight;
     m_arrow = isAlong || length < 1.0 ? QPointF() : way / length;
     // Out of the picture it waits at the edge.
@@ -152,14 +132,12 @@ float CutHandle::moved(const Drag& drag, const QPointF& to) const {
     const CuttingPlane& cut = m_viewport.options().cut;
     const Camera& camera = m_viewport.camera();
     if (drag.isAlongSight) {
-        const float away = glm::dot(drag.middle - camera.eye(), camera.forward());
-        const float pixel = camera.heightAt(std::max(away, 0.0f)) / static_cast<float>(m_viewport.height());
-        const float up = static_cast<float>(drag.from.y() - to.y()) * pixel;
+        const float up = static_cast<float>(drag.from.y() - to.y()) * pixelAt(m_viewport, drag.middle);
         return glm::dot(cut.normal, camera.forward()) > 0.0f ? up : -up;
     }
     const Navigation& navigation = m_viewport.navigation();
-    const float from = nearestTo(navigation.rayAt(drag.from), drag.middle, cut.normal);
-    return nearestTo(navigation.rayAt(to), drag.middle, cut.normal) - from;
+    const float from = nearestAlong(navigation.rayAt(drag.from), drag.middle, cut.normal);
+    return nearestAlong(navigation.rayAt(to), drag.middle, cut.normal) - from;
 }
 
 void CutHandle::mouseMoveEvent(QMouseEvent* event) {

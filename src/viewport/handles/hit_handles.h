@@ -10,7 +10,7 @@
 
 namespace hitscope {
 
-class HitGrip;
+class HandleGrip;
 class Viewport;
 
 /// The selected hit in the picture, to be changed by hand: a ring as large as its max distance with a grip on
@@ -48,13 +48,12 @@ private:
         bool operator==(const Places&) const = default;
     };
     [[nodiscard]] std::optional<Shape> shape() const;
-    [[nodiscard]] std::optional<QPointF> placeOf(const glm::vec3& point) const;
     [[nodiscard]] std::optional<Places> placesOf(const Shape& shape) const;
     [[nodiscard]] static QPointF sizeGripOf(const Places& places, const QRectF& inside);
     [[nodiscard]] float distanceInPlane(const QPointF& place) const;
     [[nodiscard]] float alongArrow(const QPointF& place) const;
     [[nodiscard]] glm::vec3 onSphere(const QPointF& place) const;
-    void connectGrip(HitGrip& grip, void (HitHandles::*drag)(const QPointF&));
+    void connectGrip(HandleGrip& grip, void (HitHandles::*drag)(const QPointF&));
     void dragSize(const QPointF& to);
     void dragDepth(const QPointF& to);
     void dragDirection(const QPointF& to);
@@ -63,9 +62,9 @@ private:
     Viewport& m_viewport;
     Session& m_session;
     HitEditing& m_editing;
-    HitGrip* m_size;
-    HitGrip* m_depth;
-    HitGrip* m_direction;
+    HandleGrip* m_size;
+    HandleGrip* m_depth;
+    HandleGrip* m_direction;
     std::optional<Places> m_places;
     Shape m_before{};  ///< when the drag began
     QPointF m_from;    ///< and where

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "viewport/hit_handles.h"
+#include "viewport/handles/hit_handles.h"
 
 #include <QKeyEvent>
 #include <QPainter>
@@ -7,10 +7,10 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
-#include <glm/mat4x4.hpp>
 
 #include "deform/dent_shape.h"
-#include "viewport/hit_grip.h"
+#include "viewport/handles/handle_geometry.h"
+#include "viewport/handles/handle_grip.h"
 #include "viewport/viewport.h"
 
 namespace hitscope {
@@ -18,30 +18,18 @@ namespace hitscope {
 namespace {
 
 constexpr int kRingSides = 64;
-constexpr int kRingPlaces = 8;              // where its grip may be
-constexpr double kApart = 24.0;             // logical pixels, at least, from the point to a grip
-constexpr double kEdge = 12.0;              // and from a grip to the edge of the picture
-constexpr double kHeadSize = 6.0;           // logical pixels
-constexpr float kAlongSightCosine = 0.97f;  // beyond which the direction is none in the picture
+constexpr int kRingPlaces = 8;     // where its grip may be
+constexpr double kApart = 24.0;    // logical pixels, at least, from the point to a grip
+constexpr double kEdge = 12.0;     // and from a grip to the edge of the picture
+constexpr double kHeadSize = 6.0;  // logical pixels
 constexpr int kDraggedDigits = 3;
 /// Gestures of the handles, apart from those of the panel.
 enum HandlePart : int { SizePart = 100, DepthPart, DirectionPart };
-
-double lengthOf(const QPointF& way) {
-    return std::hypot(way.x(), way.y());
-}
 
 /// To three digits, as one would type it.
 float roundedTo(const ParameterDescriptor& range, float value) {
     const double number = QString::number(static_cast<double>(value), 'g', kDraggedDigits).toDouble();
     return static_cast<float>(std::clamp(number, range.minimum, range.maximum));
-}
-
-/// How far along `along` (unit) from `start` the line through there comes nearest to a ray.
-float nearestAlong(const Ray& ray, const glm::vec3& start, const glm::vec3& along) {
-    const glm::vec3 apart = start - ray.origin;
-    const float cosine = glm::dot(along, ray.direction);
-    return (cosine * glm::dot(ray.direction, apart) - glm::dot(along, apart)) / (1.0f - cosine * cosine);
 }
 
 /// What is seen of a sphere: a circle.
@@ -70,11 +58,12 @@ HitHandles::HitHandles(Viewport& viewport, Session& session, HitEditing& editing
       m_viewport(viewport),
       m_session(session),
       m_editing(editing),
-      m_size(new HitGrip(viewport, QStringLiteral("hitSize"), tr("Drag to change the dent's max distance"))),
-      m_depth(
-          new HitGrip(viewport, QStringLiteral("hitDepth"), tr("Drag to change the dent's max magnitude"))),
+      m_size(
+          new HandleGrip(viewport, QStringLiteral("hitSize"), tr("Drag to change the dent's max distance"))),
+      m_depth(new HandleGrip(viewport, QStringLiteral("hitDepth"),
+                             tr("Drag to change the dent's max magnitude"))),
       m_direction(
-          new HitGrip(viewport, QStringLiteral("hitDirection"), tr("Drag to turn the hit's direction"))) {
+          new HandleGrip(viewport, QStringLiteral("hitDirection"), tr("Drag to turn the hit's direction"))) {
     setObjectName(QStringLiteral("hitHandles"));
     setAttribute(Qt::WA_TransparentForMouseEvents);
     setAttribute(Qt::WA_NoSystemBackground);
@@ -90,16 +79,16 @@ HitHandles::HitHandles(Viewport& viewport, Session& session, HitEditing& editing
     connect(&session.targets(), &SessionTargets::changed, this, &HitHandles::follow);
 }
 
-void HitHandles::connectGrip(HitGrip& grip, void (HitHandles::*drag)(const QPointF&)) {
-    connect(&grip, &HitGrip::taken, this, [this, &grip] {
+void HitHandles::connectGrip(HandleGrip& grip, void (HitHandles::*drag)(const QPointF&)) {
+    connect(&grip, &HandleGrip::taken, this, [this, &grip] {
         m_editing.endGesture();
         m_before = shape().value_or(Shape{});
         m_from = grip.centre();
         const QPointF way = m_places ? m_places->head - m_places->point : QPointF();
         m_arrow = lengthOf(way) > 0.0 ? way / lengthOf(way) : QPointF(0.0, 1.0);
     });
-    connect(&grip, &HitGrip::draggedTo, this, drag);
-    connect(&grip, &HitGrip::released, &m_editing, &HitEditing::endGesture);
+    connect(&grip, &HandleGrip::draggedTo, this, drag);
+    connect(&grip, &HandleGrip::released, &m_editing, &HitEditing::endGesture);
 }
 
 std::optional<HitHandles::Shape> HitHandles::shape() const {
@@ -113,25 +102,13 @@ std::optional<HitHandles::Shape> HitHandles::shape() const {
                  hit->constants.maxMagnitude};
 }
 
-/// In the left of two pictures.
-std::optional<QPointF> HitHandles::placeOf(const glm::vec3& point) const {
-    const Camera& camera = m_viewport.camera();
-    const glm::vec4 clip =
-        camera.projection(m_viewport.navigation().aspect()) * camera.view() * glm::vec4(point, 1.0f);
-    if (clip.w <= 0.0f) {
-        return std::nullopt;
-    }
-    const double width = m_viewport.options().sideBySide ? m_viewport.width() / 2.0 : m_viewport.width();
-    return QPointF(0.5 * (1.0 + static_cast<double>(clip.x / clip.w)) * width,
-                   0.5 * (1.0 - static_cast<double>(clip.y / clip.w)) * m_viewport.height());
-}
-
 std::optional<HitHandles::Places> HitHandles::placesOf(const Shape& shape) const {
     const SphereOutline outline = outlineOf(shape.point, shape.reach, m_viewport.camera());
     Places places;
     const auto onRing = [&](int side) {
         const float angle = glm::two_pi<float>() * static_cast<float>(side) / kRingSides;
-        return placeOf(outline.centre + std::cos(angle) * outline.right + std::sin(angle) * outline.up);
+        return placeInPicture(
+            m_viewport, outline.centre + std::cos(angle) * outline.right + std::sin(angle) * outline.up);
     };
     for (int side = 0; side <= kRingSides; ++side) {
         const std::optional<QPointF> place = onRing(side);
@@ -140,9 +117,9 @@ std::optional<HitHandles::Places> HitHandles::placesOf(const Shape& shape) const
         }
         places.ring.append(*place);
     }
-    const auto point = placeOf(shape.point);
-    const auto head = placeOf(shape.point + shape.depth * shape.direction);
-    const auto tail = placeOf(shape.point - shape.reach * shape.direction);
+    const auto point = placeInPicture(m_viewport, shape.point);
+    const auto head = placeInPicture(m_viewport, shape.point + shape.depth * shape.direction);
+    const auto tail = placeInPicture(m_viewport, shape.point - shape.reach * shape.direction);
     if (!point || !head || !tail) {
         return std::nullopt;
     }
@@ -180,7 +157,7 @@ void HitHandles::follow() {
         return;
     }
     m_places = places;
-    for (HitGrip* grip : {m_size, m_depth, m_direction}) {
+    for (HandleGrip* grip : {m_size, m_depth, m_direction}) {
         grip->setVisible(places.has_value());
     }
     setVisible(places.has_value());
@@ -232,7 +209,7 @@ bool HitHandles::eventFilter(QObject*, QEvent* event) {
     }
     if (event->type() == QEvent::KeyPress && isDragging() &&
         static_cast<const QKeyEvent*>(event)->key() == Qt::Key_Escape) {
-        for (HitGrip* grip : {m_size, m_depth, m_direction}) {
+        for (HandleGrip* grip : {m_size, m_depth, m_direction}) {
             grip->letGo();
         }
         m_editing.cancelGesture();
@@ -260,11 +237,8 @@ void HitHandles::dragSize(const QPointF& to) {
 }
 
 float HitHandles::alongArrow(const QPointF& place) const {
-    const Camera& camera = m_viewport.camera();
-    if (std::abs(glm::dot(m_before.direction, camera.forward())) > kAlongSightCosine) {
-        const float away = glm::dot(m_before.point - camera.eye(), camera.forward());
-        const float pixel = camera.heightAt(std::max(away, 0.0f)) / static_cast<float>(m_viewport.height());
-        return static_cast<float>(QPointF::dotProduct(place, m_arrow)) * pixel;
+    if (std::abs(glm::dot(m_before.direction, m_viewport.camera().forward())) > kAlongSight) {
+        return static_cast<float>(QPointF::dotProduct(place, m_arrow)) * pixelAt(m_viewport, m_before.point);
     }
     return nearestAlong(m_viewport.navigation().rayAt(place), m_before.point, m_before.direction);
 }
@@ -292,7 +266,8 @@ glm::vec3 HitHandles::onSphere(const QPointF& place) const {
 
 void HitHandles::dragDirection(const QPointF& to) {
     // Where the grip stands off the sphere, it is moved onto it first.
-    const std::optional<QPointF> tail = placeOf(m_before.point - m_before.reach * m_before.direction);
+    const std::optional<QPointF> tail =
+        placeInPicture(m_viewport, m_before.point - m_before.reach * m_before.direction);
     const QPointF offset = tail ? *tail - m_from : QPointF();
     const Hit* hit = m_editing.current();
     const Target* target = hit != nullptr ? m_session.targets().find(hit->target) : nullptr;

@@ -8,10 +8,10 @@ namespace hitscope {
 
 /// A small round grip over the picture that is dragged with the left button. Other buttons and the wheel are
 /// the picture's.
-class HitGrip : public QWidget {
+class HandleGrip : public QWidget {
     Q_OBJECT
 public:
-    HitGrip(QWidget& over, const QString& name, const QString& toolTip);
+    HandleGrip(QWidget& over, const QString& name, const QString& toolTip);
 
     /// Centre, logical pixels of the widget it is over.
     void place(const QPointF& centre);

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QPolygonF>
+#include <QWidget>
+#include <array>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <vector>
+
+#include "session/session_targets.h"
+
+namespace hitscope {
+
+class HandleGrip;
+class Viewport;
+
+/// The selected targets in the picture, to be moved and turned by hand; there while the tool is Move. They
+/// are as large in every picture, about the middle of what is selected: a line along each of the world's axes
+/// has a grip that moves along it, a quarter of a circle about each axis one that turns about it, and the
+/// grip in the middle moves across the line of sight. All of them turn about the middle. Ctrl keeps to round
+/// steps. A drag is one step to undo; Escape takes it back.
+class TargetHandles : public QWidget {
+    Q_OBJECT
+public:
+    /// Both outlive this.
+    TargetHandles(Viewport& viewport, Session& session);
+
+    /// To where the camera has the selected targets.
+    void follow();
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    static constexpr std::size_t kAxes = 3;
+    template <class Value>
+    using OfAxes = std::array<Value, kAxes>;
+
+    /// Logical pixels of the viewport.
+    struct Places {
+        QPointF middle;
+        OfAxes<QPointF> heads;
+        OfAxes<bool> hasHead;  ///< seen along it, a line has no length
+        OfAxes<QPolygonF> arcs;
+        OfAxes<QPointF> turns;  ///< the grips on them
+        OfAxes<bool> hasTurn;
+
+        bool operator==(const Places&) const = default;
+    };
+    struct Drag {
+        std::vector<TargetPlace> before;
+        glm::vec3 middle;  ///< world, when it began
+        QPointF from;      ///< where, logical pixels of the viewport
+        std::size_t axis;
+        HandleGrip* grip;
+        bool turns;
+        glm::vec3 shift = glm::vec3(0.0f);  ///< metres, so far
+        double angle = 0.0;                 ///< radians, so far, as the cursor has it
+        double turned = 0.0;                ///< radians, that the targets were turned by
+    };
+    [[nodiscard]] bool isOn() const;
+    [[nodiscard]] std::optional<glm::vec3> middle() const;
+    [[nodiscard]] float reachAt(const glm::vec3& middle) const;
+    [[nodiscard]] std::optional<Places> placesOf(const glm::vec3& middle) const;
+    bool placeArc(const glm::vec3& middle, std::size_t axis, Places& places);
+    void chooseQuadrants(const glm::vec3& middle, const Places& places);
+    [[nodiscard]] glm::vec3 onCircle(const glm::vec3& middle, std::size_t axis, double angle) const;
+    void take(HandleGrip& grip, bool turns, std::size_t axis);
+    void dragTo(const QPointF& to, Qt::KeyboardModifiers modifiers);
+    [[nodiscard]] glm::vec3 shiftTo(const QPointF& to, bool rounds) const;
+    [[nodiscard]] double angleTo(const QPointF& to) const;
+    void apply();
+    void endDrag();
+    void paintDrag(QPainter& painter) const;
+    [[nodiscard]] QString dragText() const;
+
+    Viewport& m_viewport;
+    Session& m_session;
+    HandleGrip* m_across;
+    OfAxes<HandleGrip*> m_heads;
+    OfAxes<HandleGrip*> m_turns;
+    OfAxes<int> m_quadrants{};  ///< of the circles, where the arcs are
+    std::optional<Places> m_places;
+    std::optional<Drag> m_drag;
+};
+
+}  // namespace hitscope
