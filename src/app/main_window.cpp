@@ -61,6 +61,7 @@
 #include "document/journal_files.h"
 #include "viewport/aim_preview.h"
 #include "viewport/handles/hit_handles.h"
+#include "viewport/handles/target_handles.h"
 #include "viewport/inspect_tool.h"
 #include "viewport/surface/surface_format.h"
 #include "viewport/viewport.h"
@@ -146,6 +147,7 @@ void MainWindow::makeCentre() {
 void MainWindow::makeOverlays() {
     new VertexLabel(m_session, *m_viewport);
     new HitHandles(*m_viewport, m_session, m_actions.hits->editing());
+    listenTo(new TargetHandles(*m_viewport, m_session));
     new KeyRouting(*this, *m_viewport);
     new TimeBadge(m_session, m_viewport);
     new ComingPicture(*m_files, *m_viewport);

@@ -32,6 +32,8 @@ struct RigidTransform {
         matrix[3] = glm::vec4(position, 1.0f);
         return matrix;
     }
+
+    bool operator==(const RigidTransform&) const = default;
 };
 
 /// Colliders, about the target's local origin. A primitive is exact until its first dent: from then on its

@@ -50,9 +50,17 @@ std::shared_ptr<const ValueEdit<Value>> inverse(const std::shared_ptr<const Valu
                 : nullptr;
 }
 
-bool comesToNothing(const SessionUndo::Change& change) {
+/// Of those that merge: they change place and physics.
+bool isSame(const TargetEdit& edit) {
+    return edit.before && edit.after && edit.before->transform == edit.after->transform &&
+           edit.before->physics == edit.after->physics;
+}
+
+bool comesToNothing(const SessionUndo::Change& change, bool isMerged) {
     const auto same = [](const HistoryEdit& edit) { return edit.before == edit.after; };
-    return change.targets.empty() && std::all_of(change.edits.begin(), change.edits.end(), same) &&
+    const auto sameTarget = [isMerged](const TargetEdit& edit) { return isMerged && isSame(edit); };
+    return std::all_of(change.targets.begin(), change.targets.end(), sameTarget) &&
+           std::all_of(change.edits.begin(), change.edits.end(), same) &&
            (!change.settings || change.settings->before == change.settings->after) && !change.scene;
 }
 
@@ -178,7 +186,7 @@ bool SessionUndo::absorb(Change& change) {
 void SessionUndo::record(Change change) {
     std::erase_if(change.edits,
                   [](const HistoryEdit& edit) { return edit.before.empty() && edit.after.empty(); });
-    if (comesToNothing(change)) {
+    if (comesToNothing(change, false)) {
         return;
     }
     for (const Step& step : m_redo) {
@@ -190,7 +198,7 @@ void SessionUndo::record(Change change) {
         Step& last = m_undo.back();
         last.name.hit = last.name.hit == change.name.hit ? last.name.hit : 0;
         m_bytes -= before;
-        if (last.change && comesToNothing(*last.change)) {
+        if (last.change && comesToNothing(*last.change, true)) {
             m_undo.pop_back();
             finishStep();
             return;

@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -67,6 +68,9 @@ public:
     /// them on when something comes near; this does it now, as far as there is time. Returns whether all are
     /// up to date.
     bool updateColliders(const IsTimeUp& isTimeUp = {});
+    /// Dynamic targets that stay where they are put, whatever strikes them, until the next call; ids of no
+    /// dynamic target are passed over.
+    void hold(std::span<const TargetId> ids);
     /// Time goes on and something moves with it: projectiles, dynamic targets.
     [[nodiscard]] bool isMoving() const;
     [[nodiscard]] bool isPaused() const { return m_physics.clock().isPaused(); }
@@ -95,6 +99,7 @@ private:
     void forget(TargetId target);
     /// Puts it where it is now, or takes it out if it is hidden.
     void letCollide(const Target& target);
+    [[nodiscard]] TargetPhysics physicsOf(const Target& target) const;  ///< now
     [[nodiscard]] Status setTargetPhysics(TargetId id, const TargetPhysics& physics);
     /// The history has these edits now.
     void follow(std::span<const HistoryEdit> edits) { m_colliders.follow(edits); }
@@ -126,8 +131,9 @@ private:
     bool m_stepIsBegun = false;                 ///< what comes before the next step has been done
     std::vector<TargetPlace> m_placesBefore;    ///< of the dynamic targets, before the step that is begun
     std::map<TargetId, QString> m_notHittable;  ///< why
-    std::unique_ptr<TaskProgress> m_firing;     ///< while shots are due that the frame had no time for
-    std::size_t m_mostDue = 0;                  ///< of them
+    std::set<TargetId> m_held;
+    std::unique_ptr<TaskProgress> m_firing;  ///< while shots are due that the frame had no time for
+    std::size_t m_mostDue = 0;               ///< of them
 };
 
 }  // namespace hitscope

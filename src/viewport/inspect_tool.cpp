@@ -72,7 +72,8 @@ void InspectTool::setTool(Tool tool) {
     endDrag();
     leave();
     m_viewport.setMouseTracking(true);  // the aim preview and the wipe line need it too
-    m_viewport.setCursor(tool == Tool::Shoot ? Qt::ArrowCursor : Qt::CrossCursor);
+    const bool picks = tool == Tool::Inspect || tool == Tool::Brush;
+    m_viewport.setCursor(picks ? Qt::CrossCursor : Qt::ArrowCursor);
     Q_EMIT toolChanged();
 }
 

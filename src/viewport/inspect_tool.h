@@ -24,7 +24,7 @@ class Viewport;
 void selectTargetOf(Session& session, const VertexRef& vertex);
 
 /// What the left button does in the viewport.
-enum class Tool : std::uint8_t { Shoot, Inspect, Brush };
+enum class Tool : std::uint8_t { Shoot, Inspect, Brush, Move };
 /// What a drag of the Inspect tool draws around vertices.
 enum class Outline : std::uint8_t { Rectangle, Lasso };
 

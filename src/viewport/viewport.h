@@ -25,9 +25,9 @@ class InspectTool;
 /// Makes no GL call itself (SceneGpu does).
 ///
 /// Drags, the wheel and the keys W A S D E Q move the camera (Navigation). A short stationary left click
-/// shoots, a middle click makes the camera look at that spot from now on. Space shoots at the crosshair,
-/// repeatedly while held, Escape ends the selection. What the cutting plane hides is not in the way of clicks
-/// and shots from its side.
+/// shoots, or selects with the Move tool, a middle click makes the camera look at that spot from now on.
+/// Space shoots at the crosshair, repeatedly while held, Escape ends the selection. What the cutting plane
+/// hides is not in the way of clicks and shots from its side.
 class Viewport : public QWidget {
     Q_OBJECT
 public:
@@ -67,7 +67,7 @@ public:
     [[nodiscard]] const Aiming& aiming() const { return m_aiming; }
     [[nodiscard]] ViewportPicking& picking() { return m_picking; }
     [[nodiscard]] SceneDecorations& decorations() { return m_decorations; }
-    /// Shoot, Inspect or Brush, and what Inspect does.
+    /// Shoot, Inspect, Brush or Move, and what Inspect does.
     [[nodiscard]] InspectTool& inspectTool() { return *m_inspect; }
     [[nodiscard]] BrushTool& brushTool() { return *m_brush; }
 

@@ -57,6 +57,8 @@ void Viewport::click(const QMouseEvent& event) {
     } else if (event.button() == Qt::LeftButton &&
                event.modifiers() == (Qt::ControlModifier | Qt::ShiftModifier)) {
         toggleAt(event.position());
+    } else if (event.button() == Qt::LeftButton && m_inspect->tool() == Tool::Move) {
+        selectAt(event.position());
     } else if (event.button() == Qt::LeftButton && m_inspect->tool() == Tool::Shoot) {
         shootAlong(m_navigation.rayAt(event.position()));
     }

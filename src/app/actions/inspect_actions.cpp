@@ -39,6 +39,9 @@ InspectActions::InspectActions(Session& session, Viewport& viewport, QObject* pa
         addTool(tr("&Brush"), tr("Brush: a drag over a target paints hits; [ and ] change the size (R)"),
                 QStringLiteral("tool_brush"));
     m_brush->setShortcut(Qt::Key_R);
+    m_move = addTool(tr("&Move"), tr("Move: a click selects a target, its handles move and turn it (M)"),
+                     QStringLiteral("tool_move"));
+    m_move->setShortcut(Qt::Key_M);
     m_toggle = new QAction(tr("Switch &Tool"), this);
     m_toggle->setShortcut(Qt::Key_I);
     m_rectangle = new QAction(tr("Select in a &Rectangle"), m_outlines);
@@ -56,6 +59,10 @@ InspectActions::InspectActions(Session& session, Viewport& viewport, QObject* pa
     connect(m_brush, &QAction::triggered, this, [this] {
         m_tool.setTool(Tool::Brush);
         m_viewport.setFocus();  // which its further keys are for
+    });
+    connect(m_move, &QAction::triggered, this, [this] {
+        m_tool.setTool(Tool::Move);
+        m_viewport.setFocus();
     });
     connect(m_toggle, &QAction::triggered, this,
             [this] { m_tool.setTool(m_tool.tool() == Tool::Inspect ? Tool::Shoot : Tool::Inspect); });
@@ -96,6 +103,7 @@ void InspectActions::fill(QMenu& menu) {
     menu.addAction(m_shoot);
     menu.addAction(m_inspect);
     menu.addAction(m_brush);
+    menu.addAction(m_move);
     menu.addAction(m_toggle);
     menu.addSeparator();
     menu.addAction(m_rectangle);
@@ -110,6 +118,7 @@ void InspectActions::fill(QToolBar& bar) {
     bar.addAction(m_shoot);
     bar.addAction(m_inspect);
     bar.addAction(m_brush);
+    bar.addAction(m_move);
     auto* how = new QMenu(&bar);
     how->addActions({m_rectangle, m_lasso, m_hidden});
     auto* button = qobject_cast<QToolButton*>(bar.widgetForAction(m_inspect));
@@ -138,7 +147,7 @@ void InspectActions::selectAllChanged() {
 }
 
 void InspectActions::follow() {
-    QAction* tools[] = {m_shoot, m_inspect, m_brush};
+    QAction* tools[] = {m_shoot, m_inspect, m_brush, m_move};
     tools[static_cast<std::size_t>(m_tool.tool())]->setChecked(true);
     enableIf(*m_none, m_session.selection().count() > 0 || m_session.selection().picked(),
              tr("No vertex is selected."));

@@ -16,8 +16,8 @@ namespace hitscope {
 class InspectTool;
 class Viewport;
 
-/// The actions of the viewport's tools: Shoot, Inspect or Brush, and how Inspect selects. Its choices are
-/// remembered.
+/// The actions of the viewport's tools: Shoot, Inspect, Brush or Move, and how Inspect selects. Its choices
+/// are remembered.
 class InspectActions : public QObject {
     Q_OBJECT
 public:
@@ -43,6 +43,7 @@ private:
     QAction* m_shoot = nullptr;
     QAction* m_inspect = nullptr;
     QAction* m_brush = nullptr;
+    QAction* m_move = nullptr;
     QAction* m_toggle = nullptr;
     QActionGroup* m_outlines;
     QAction* m_rectangle = nullptr;

@@ -125,8 +125,9 @@ QString motionMeaning(CameraMotion motion, OrbitMode mode) {
 KeysSection mouseKeys(NavigationPreset preset, OrbitMode mode) {
     KeysSection section{KeysTexts::tr("Mouse"), {}};
     section.lines.push_back({KeysTexts::tr("Click"), KeysTexts::tr("Shoot at the point under the cursor")});
-    section.lines.push_back({KeysTexts::tr("Ctrl+click"),
-                             KeysTexts::tr("Select the target there; elsewhere: clear the selection")});
+    section.lines.push_back(
+        {KeysTexts::tr("Ctrl+click"),
+         KeysTexts::tr("Select the target there, as a click with Move; elsewhere: none")});
     section.lines.push_back(
         {KeysTexts::tr("Ctrl+Shift+click"), KeysTexts::tr("Select the target there too, or no longer")});
     section.lines.push_back({KeysTexts::tr("Middle-click"), KeysTexts::tr("Look at that point from now on")});

@@ -86,6 +86,11 @@ void StartCard::setTool(Tool tool) {
             m_words->setText(tr(
                 "<b>Drag over the mesh to paint dents.</b> Drag beside it to look around, wheel to zoom."));
             break;
+        case Tool::Move:
+            m_words->setText(
+                tr("<b>Click a target, and drag its handles to move and turn it.</b> Drag elsewhere to look "
+                   "around, wheel to zoom."));
+            break;
     }
 }
 

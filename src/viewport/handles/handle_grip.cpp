@@ -42,8 +42,12 @@ void HandleGrip::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     const bool isHeld = m_isOver || m_isHeld;
-    painter.setPen(QPen(palette().color(QPalette::Window), 1.5));
-    painter.setBrush(palette().color(isHeld ? QPalette::Highlight : QPalette::WindowText));
+    const QColor highlight = palette().color(isHeld ? QPalette::Highlight : QPalette::WindowText);
+    // An axis keeps its colour.
+    const QColor edge =
+        palette().color(isHeld && m_colour.isValid() ? QPalette::WindowText : QPalette::Window);
+    painter.setPen(QPen(edge, 1.5));
+    painter.setBrush(m_colour.isValid() ? m_colour : highlight);
     painter.drawEllipse(QRectF(rect()).adjusted(3.0, 3.0, -3.0, -3.0));
 }
 
@@ -64,7 +68,7 @@ void HandleGrip::mouseMoveEvent(QMouseEvent* event) {
         event->ignore();  // the camera's
         return;
     }
-    Q_EMIT draggedTo(parentWidget()->mapFromGlobal(event->globalPosition()) + m_offset);
+    Q_EMIT draggedTo(parentWidget()->mapFromGlobal(event->globalPosition()) + m_offset, event->modifiers());
 }
 
 void HandleGrip::mouseReleaseEvent(QMouseEvent* event) {

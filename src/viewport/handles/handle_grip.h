@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QColor>
 #include <QPointF>
 #include <QWidget>
 
@@ -16,13 +17,15 @@ public:
     /// Centre, logical pixels of the widget it is over.
     void place(const QPointF& centre);
     [[nodiscard]] QPointF centre() const { return m_centre; }
+    /// Without: the window's text colour, highlighted under the cursor.
+    void setColour(const QColor& colour) { m_colour = colour; }
     [[nodiscard]] bool isHeld() const { return m_isHeld; }
     void letGo();  ///< as if the button were released, and nothing is emitted
 
 Q_SIGNALS:
     void taken();
     /// Where its centre would be now, with the cursor.
-    void draggedTo(const QPointF& centre);
+    void draggedTo(const QPointF& centre, Qt::KeyboardModifiers modifiers);
     void released();
 
 protected:
@@ -34,6 +37,7 @@ protected:
     void leaveEvent(QEvent* event) override;
 
 private:
+    QColor m_colour;
     QPointF m_centre;
     QPointF m_offset;  ///< from the cursor to the centre, while it is held
     bool m_isHeld = false;

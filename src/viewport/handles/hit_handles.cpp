@@ -11,6 +11,7 @@
 #include "deform/dent_shape.h"
 #include "viewport/handles/handle_geometry.h"
 #include "viewport/handles/handle_grip.h"
+#include "viewport/inspect_tool.h"
 #include "viewport/viewport.h"
 
 namespace hitscope {
@@ -76,6 +77,7 @@ HitHandles::HitHandles(Viewport& viewport, Session& session, HitEditing& editing
     connect(&viewport.navigation(), &Navigation::cameraChanged, this, &HitHandles::follow);
     connect(&viewport.pictures(), &PictureFlow::framePainted, this, &HitHandles::follow);
     connect(&editing, &HitEditing::edited, this, &HitHandles::follow);
+    connect(&viewport.inspectTool(), &InspectTool::toolChanged, this, &HitHandles::follow);
     connect(&session.targets(), &SessionTargets::changed, this, &HitHandles::follow);
 }
 
@@ -94,7 +96,8 @@ void HitHandles::connectGrip(HandleGrip& grip, void (HitHandles::*drag)(const QP
 std::optional<HitHandles::Shape> HitHandles::shape() const {
     const Hit* hit = m_editing.current();
     const Target* target = hit != nullptr ? m_session.targets().find(hit->target) : nullptr;
-    if (target == nullptr || !target->visible) {
+    const bool isTargets = m_viewport.inspectTool().tool() == Tool::Move;  // whose handles are there
+    if (target == nullptr || !target->visible || isTargets) {
         return std::nullopt;
     }
     return Shape{target->transform.toWorld(hit->point), target->transform.directionToWorld(pushOf(*hit)),

@@ -6,13 +6,13 @@
 #include <array>
 #include <glm/vec3.hpp>
 #include <optional>
-#include <vector>
 
-#include "session/session_targets.h"
+#include "viewport/handles/target_drag.h"
 
 namespace hitscope {
 
 class HandleGrip;
+class Session;
 class Viewport;
 
 /// The selected targets in the picture, to be moved and turned by hand; there while the tool is Move. They
@@ -29,12 +29,14 @@ public:
     /// To where the camera has the selected targets.
     void follow();
 
+Q_SIGNALS:
+    void said(const QString& text);  ///< why there are none
+
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    static constexpr std::size_t kAxes = 3;
     template <class Value>
     using OfAxes = std::array<Value, kAxes>;
 
@@ -49,32 +51,18 @@ private:
 
         bool operator==(const Places&) const = default;
     };
-    struct Drag {
-        std::vector<TargetPlace> before;
-        glm::vec3 middle;  ///< world, when it began
-        QPointF from;      ///< where, logical pixels of the viewport
-        std::size_t axis;
-        HandleGrip* grip;
-        bool turns;
-        glm::vec3 shift = glm::vec3(0.0f);  ///< metres, so far
-        double angle = 0.0;                 ///< radians, so far, as the cursor has it
-        double turned = 0.0;                ///< radians, that the targets were turned by
-    };
     [[nodiscard]] bool isOn() const;
     [[nodiscard]] std::optional<glm::vec3> middle() const;
     [[nodiscard]] float reachAt(const glm::vec3& middle) const;
     [[nodiscard]] std::optional<Places> placesOf(const glm::vec3& middle) const;
     bool placeArc(const glm::vec3& middle, std::size_t axis, Places& places);
     void chooseQuadrants(const glm::vec3& middle, const Places& places);
-    [[nodiscard]] glm::vec3 onCircle(const glm::vec3& middle, std::size_t axis, double angle) const;
-    void take(HandleGrip& grip, bool turns, std::size_t axis);
-    void dragTo(const QPointF& to, Qt::KeyboardModifiers modifiers);
-    [[nodiscard]] glm::vec3 shiftTo(const QPointF& to, bool rounds) const;
-    [[nodiscard]] double angleTo(const QPointF& to) const;
+    [[nodiscard]] glm::vec3 circlePoint(const glm::vec3& middle, std::size_t axis, double angle) const;
+    void take(HandleGrip& grip, TargetDrag::Kind kind);
     void apply();
+    void finishDrag();
     void endDrag();
     void paintDrag(QPainter& painter) const;
-    [[nodiscard]] QString dragText() const;
 
     Viewport& m_viewport;
     Session& m_session;
@@ -83,7 +71,8 @@ private:
     OfAxes<HandleGrip*> m_turns;
     OfAxes<int> m_quadrants{};  ///< of the circles, where the arcs are
     std::optional<Places> m_places;
-    std::optional<Drag> m_drag;
+    std::optional<TargetDrag> m_drag;
+    HandleGrip* m_held = nullptr;  ///< while there is a drag
 };
 
 }  // namespace hitscope
