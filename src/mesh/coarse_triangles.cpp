@@ -4,6 +4,7 @@
 #include <meshoptimizer.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -22,6 +23,7 @@ constexpr std::size_t kFewest = 1024;  // triangles: a draw that has fewer keeps
 // instead of 2 s.)
 constexpr std::size_t kEnough = 16;
 constexpr std::size_t kMostTogether = 16;  // vertices
+constexpr float kSliver = 0.3f;            // height, times the longest edge
 constexpr float kNear = 1.0f / 512.0f;     // of the mesh's diagonal; others stay apart
 
 /// The triangles of one draw, between vertices with numbers of their own.
@@ -115,15 +117,32 @@ private:
         return static_cast<std::uint32_t>(m_vertices.size() - 1);
     }
 
-    /// A triangle between corners of others can face the other way than they do, and would be dark.
+    /// A triangle between corners of others can face the other way than they do, and would be dark. Slivers
+    /// among these are folds under their neighbours, and go: turned, pixels of them would be dark from the
+    /// side.
     void turn(std::vector<std::uint32_t>& indices) const {
+        std::size_t kept = 0;
         for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
-            const glm::vec3 wanted =
-                m_normals[indices[i]] + m_normals[indices[i + 1]] + m_normals[indices[i + 2]];
-            if (glm::dot(normalOf(&indices[i]), wanted) < 0.0f) {
-                std::swap(indices[i + 1], indices[i + 2]);
+            const std::array<std::uint32_t, 3> corners{indices[i], indices[i + 1], indices[i + 2]};
+            const glm::vec3 wanted = m_normals[corners[0]] + m_normals[corners[1]] + m_normals[corners[2]];
+            const glm::vec3 normal = normalOf(corners.data());
+            const bool isTurned = glm::dot(normal, wanted) < 0.0f;
+            if (isTurned && glm::length(normal) < kSliver * longestSquared(corners)) {
+                continue;
             }
+            indices[kept++] = corners[0];
+            indices[kept++] = isTurned ? corners[2] : corners[1];
+            indices[kept++] = isTurned ? corners[1] : corners[2];
         }
+        indices.resize(kept);
+    }
+
+    [[nodiscard]] float longestSquared(const std::array<std::uint32_t, 3>& corners) const {
+        const auto squared = [&](std::size_t from, std::size_t to) {
+            const glm::vec3 way = m_positions[corners[to]] - m_positions[corners[from]];
+            return glm::dot(way, way);
+        };
+        return std::max({squared(0, 1), squared(1, 2), squared(2, 0)});
     }
 
     /// Of a triangle, as long as twice its area.
