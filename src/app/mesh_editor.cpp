@@ -8,8 +8,10 @@
 
 #include "analysis/beside.h"
 #include "models/quantity_text.h"
+#include "session/mesh_steps/scale_target.h"
 #include "session/mesh_steps/separate_objects.h"
 #include "session/session.h"
+#include "session/shown_number.h"
 #include "session/task_list.h"
 
 namespace hitscope {
@@ -75,6 +77,28 @@ struct MeshEditor::Separation : Work {
     [[nodiscard]] SessionUndo::Kind kind() const override { return SessionUndo::Kind::SeparateObjects; }
 };
 
+/// A target gets another size.
+struct MeshEditor::Scaling : Work {
+    TargetState before;
+    double extent = 0.0;
+    ScaledTarget scaled;
+
+    Status make(const MeshGoOn&) override {
+        Result<ScaledTarget> made = scaledTo(before, extent);
+        if (!made) {
+            return made.error();
+        }
+        scaled = std::move(made).value();
+        return Done{};
+    }
+    Status take(Session& session) override { return takeScaled(session, scaled); }
+    [[nodiscard]] QString said() const override {
+        return tr("%1 is %2 times as large now (Ctrl+Z undoes)")
+            .arg(before.name, shownNumber(static_cast<double>(scaled.factor), 'g', 4));
+    }
+    [[nodiscard]] SessionUndo::Kind kind() const override { return SessionUndo::Kind::ScaleTarget; }
+};
+
 MeshEditor::MeshEditor(Session& session, QObject* parent) : QObject(parent), m_session(session) {
     connect(&session, &Session::sceneReplaced, this, &MeshEditor::giveUp);
 }
@@ -105,6 +129,17 @@ void MeshEditor::startSeparation(TargetId target) {
     work->before = *found;
     work->hits = meshEdit(m_session, target, {}).hits;
     start(tr("Separating %1").arg(found->name), work);
+}
+
+void MeshEditor::startScaling(TargetId target, double extent) {
+    const Target* found = m_session.targets().find(target);
+    if (m_work || found == nullptr) {
+        return;
+    }
+    const auto work = std::make_shared<Scaling>();
+    work->before = *found;
+    work->extent = extent;
+    start(tr("Scaling %1").arg(found->name), work);
 }
 
 std::optional<SessionUndo::Name> MeshEditor::running() const {

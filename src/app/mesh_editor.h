@@ -15,8 +15,8 @@ namespace hitscope {
 class Session;
 class TaskProgress;
 
-/// Refines, simplifies, smooths and separates targets' meshes beside the window's work, one after the other;
-/// the status bar shows it, with a button to cancel.
+/// Refines, simplifies, smooths, scales and separates targets' meshes beside the window's work, one after the
+/// other; the status bar shows it, with a button to cancel.
 class MeshEditor : public QObject {
     Q_OBJECT
 public:
@@ -32,6 +32,8 @@ public:
     void start(TargetId target, MeshEdit edit);
     /// Likewise: its objects become targets of their own.
     void startSeparation(TargetId target);
+    /// Likewise: its largest extent becomes so many metres, > 0.
+    void startScaling(TargetId target, double extent);
 
 Q_SIGNALS:
     void busyChanged();
@@ -43,6 +45,7 @@ private:
     struct Work;
     struct Edit;
     struct Separation;
+    struct Scaling;
     void start(const QString& doing, std::shared_ptr<Work> work);
     void report(const std::shared_ptr<Work>& work, double share);
     void finish(const std::shared_ptr<Work>& work, bool done);

@@ -30,7 +30,7 @@ QVariant UndoModel::data(const QModelIndex& index, int role) const {
             if (row == 0) {
                 return m_forgotten == 0 ? tr("Start") : tr("Start; older steps are forgotten");
             }
-            return undoText(m_session.steps().name(static_cast<std::size_t>(row) - 1));
+            return undoText(m_session.steps(), static_cast<std::size_t>(row) - 1);
         case Qt::ToolTipRole:
             return row <= m_done ? tr("Click to undo what comes after it") : tr("Click to redo up to here");
         case DoneRole:

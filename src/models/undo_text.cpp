@@ -44,6 +44,7 @@ constexpr Words kWords[] = {
     {SessionUndo::Kind::SimplifyMesh, TEXT("Simplify Mesh"), TEXT("Simplify Meshes of %Ln Targets")},
     {SessionUndo::Kind::SmoothMesh, TEXT("Smooth Mesh"), TEXT("Smooth Meshes of %Ln Targets")},
     {SessionUndo::Kind::ApplyHits, TEXT("Apply Hits"), TEXT("Apply Hits of %Ln Targets")},
+    {SessionUndo::Kind::ScaleTarget, TEXT("Scale Target"), TEXT("Scale %Ln Targets")},
     {SessionUndo::Kind::SeparateObjects, TEXT("Separate Objects"), nullptr},
     {SessionUndo::Kind::AddTarget, TEXT("Add Target"), TEXT("Add %Ln Targets")},
     {SessionUndo::Kind::DuplicateTarget, TEXT("Duplicate Target"), TEXT("Duplicate %Ln Targets")},
@@ -77,6 +78,12 @@ QString undoText(const SessionUndo::Name& name) {
     }
     const QString one = translated(words->one);
     return name.hit == 0 ? one : QStringLiteral("%1 %2").arg(one, countText(name.hit));
+}
+
+QString undoText(const SessionUndo& steps, std::size_t step) {
+    const QString text = undoText(steps.name(step));
+    const QString target = steps.target(step);
+    return target.isEmpty() ? text : translated("%1 “%2”").arg(text, target);
 }
 
 }  // namespace hitscope

@@ -222,8 +222,26 @@ void SessionUndo::forgetOldest() {
     }
 }
 
+const SessionUndo::Step& SessionUndo::stepAt(std::size_t step) const {
+    return step < m_undo.size() ? m_undo[step] : m_redo[size() - 1 - step];
+}
+
 const SessionUndo::Name& SessionUndo::name(std::size_t step) const {
-    return step < m_undo.size() ? m_undo[step].name : m_redo[size() - 1 - step].name;
+    return stepAt(step).name;
+}
+
+QString SessionUndo::target(std::size_t step) const {
+    const std::unique_ptr<Change>& change = stepAt(step).change;
+    if (!change || change->targets.empty()) {
+        return {};
+    }
+    const auto nameOf = [](const TargetEdit& edit) {
+        return edit.before ? edit.before->name : edit.after->name;
+    };
+    const QString name = nameOf(change->targets.front());
+    const bool isOne = std::all_of(change->targets.begin(), change->targets.end(),
+                                   [&](const TargetEdit& edit) { return nameOf(edit) == name; });
+    return isOne ? name : QString();
 }
 
 std::optional<SessionUndo::Name> SessionUndo::toUndo() const {

@@ -100,7 +100,8 @@ public:
         RefineMesh,
         SimplifyMesh,
         SmoothMesh,
-        ApplyHits,        ///< to the mesh, as its new original
+        ApplyHits,  ///< to the mesh, as its new original
+        ScaleTarget,
         SeparateObjects,  ///< of a mesh, as targets of their own
         Projectile,
         FlightMode,
@@ -136,6 +137,8 @@ public:
     [[nodiscard]] std::size_t size() const { return m_undo.size() + m_redo.size(); }
     [[nodiscard]] std::size_t done() const { return m_undo.size(); }  ///< how many can be undone
     [[nodiscard]] const Name& name(std::size_t step) const;           ///< step < size()
+    /// As the target was called that the step is about; empty: it is about none, or several. step < size().
+    [[nodiscard]] QString target(std::size_t step) const;
     /// What all steps together take at most, about, and how many were forgotten to keep within kMostBytes.
     [[nodiscard]] std::size_t bytes() const { return m_bytes; }
     [[nodiscard]] std::size_t forgotten() const { return m_forgotten; }
@@ -165,6 +168,7 @@ private:
         [[nodiscard]] std::size_t bytes() const;  ///< undone
     };
     static Step step(Change change, std::uint64_t number);
+    [[nodiscard]] const Step& stepAt(std::size_t step) const;
     bool absorbHits(const Change& change);
     bool absorb(Change& change);
     void forgetOldest();

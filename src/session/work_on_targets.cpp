@@ -20,6 +20,7 @@ bool isWorkOnTargets(SessionUndo::Kind kind) {
         case SessionUndo::Kind::SimplifyMesh:
         case SessionUndo::Kind::SmoothMesh:
         case SessionUndo::Kind::ApplyHits:
+        case SessionUndo::Kind::ScaleTarget:
         case SessionUndo::Kind::SeparateObjects:
         case SessionUndo::Kind::PlaceMesh:
             return true;

@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "app/dialogs/mesh_step_dialog.h"
+#include "app/dialogs/scale_dialog.h"
 #include "io/import.h"
 #include "mesh/same_bits.h"
 #include "models/quantity_text.h"
@@ -42,6 +43,7 @@ private Q_SLOTS:
     void undoCancelsWhatIsBeingDone();
     void whatWasUndoneMeanwhileStays();
     void objectsBecomeTargets();
+    void aTargetIsScaled();
 
 private:
     [[nodiscard]] const Target& target() const { return *m_session->targets().front(); }
@@ -121,11 +123,11 @@ void MeshDialogsTest::refineKeepsVerticesAndHits() {
     type(*dialog, "edgeLength", "0.2");
     const QString said = result(*dialog);
     accept(*dialog);
-    QVERIFY2(said.startsWith(QStringLiteral("Vertices: %1, now %2. Faces: %3, now %4.")
-                                 .arg(mesh().vertexCount())
+    QVERIFY2(said.startsWith(QStringLiteral("Vertices: %1 → %2. Faces: %3 → %4.")
                                  .arg(before.vertexCount())
-                                 .arg(mesh().faceCount())
-                                 .arg(before.faceCount())),
+                                 .arg(mesh().vertexCount())
+                                 .arg(before.faceCount())
+                                 .arg(mesh().faceCount())),
              qPrintable(said));
     QVERIFY(mesh().vertexCount() > before.vertexCount() + 50);
     QVERIFY(std::equal(before.positions.begin(), before.positions.end(), mesh().positions.begin(), sameBits));
@@ -204,7 +206,7 @@ void MeshDialogsTest::simplifyAndSmoothApplyHits() {
         const QString said = result(*dialog);
         accept(*dialog);
         QVERIFY(m_session->hits().history().hits().empty());
-        QVERIFY2(said.contains(QStringLiteral("Faces: ") + countText(mesh().faceCount())), qPrintable(said));
+        QVERIFY2(said.endsWith(QStringLiteral("→ %1.").arg(countText(mesh().faceCount()))), qPrintable(said));
     }
     QVERIFY(mesh().faceCount() < fine / 2);
     // The dent is in the original now: what was the flat top is not flat any more.
@@ -288,6 +290,41 @@ void MeshDialogsTest::whatWasUndoneMeanwhileStays() {
     QTRY_VERIFY_WITH_TIMEOUT(m_session->tasks().current() == nullptr, kPatience);
     QCOMPARE(target().id, before);
     QVERIFY(m_session->steps().canRedo());
+}
+
+void MeshDialogsTest::aTargetIsScaled() {
+    hit();
+    const Bounds before = target().worldBounds();
+    const TargetId id = target().id;
+    for (QAction* action : m_window->findChildren<QAction*>()) {
+        if (action->text().remove(u'&') == QStringLiteral("Scale…")) {
+            action->trigger();
+        }
+    }
+    auto* dialog = m_window->findChild<ScaleDialog*>();
+    QVERIFY(dialog != nullptr);
+    makeActive(*dialog);
+    auto* extent = dialog->findChild<NumberBox*>(QStringLiteral("extent"));
+    auto* factor = dialog->findChild<NumberBox*>(QStringLiteral("factor"));
+    QTRY_VERIFY_WITH_TIMEOUT(extent->hasFocus(), kPatience);
+    QCOMPARE(extent->value(), 5.0);
+    QTest::keyClick(extent, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(extent, QStringLiteral("50 cm"));
+    QTest::keyClick(extent, Qt::Key_Tab);
+    QCOMPARE(factor->value(), 0.1);
+    QTest::keyClick(factor, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(factor, QStringLiteral("0.2"));
+    QTest::keyClick(factor, Qt::Key_Return);
+    QTRY_VERIFY_WITH_TIMEOUT(target().id != id, kPatience);
+    QCOMPARE(target().extent(), 1.0f);
+    QCOMPARE(target().worldBounds().min.y, before.min.y);
+    QVERIFY(m_session->targets().isSelected(target().id));
+    QCOMPARE(m_session->hits().history().size(), std::size_t{1});
+    QVERIFY(m_window->viewport().syncNow().ok());
+    QVERIFY(target().deformed.statistics().changedVertices > 0);
+    key(Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(target().id, id);
+    QVERIFY(target().worldBounds().max == before.max);
 }
 
 void MeshDialogsTest::objectsBecomeTargets() {

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "app/actions/menu_building.h"
+#include "app/dialogs/scale_dialog.h"
 #include "mesh/mesh_objects.h"
 #include "models/focus_target.h"
 #include "panels/help/help_text.h"
@@ -54,6 +55,8 @@ void MeshActions::fill(QMenu& menu) {
     m_smooth = addAction(menu, tr("S&mooth…"), {}, this, [this] { show(MeshStepDialog::Kind::Smooth); });
     m_apply = addAction(menu, tr("Appl&y Hits"), {}, this, [this] { applyHits(); });
     m_apply->setToolTip(tr("The dented shape becomes the original, and its hits leave the history"));
+    m_scale = addAction(menu, tr("&Scale…"), {}, this, [this] { scale(); });
+    m_scale->setToolTip(tr("Gives the target another size, where it stands, with its hits"));
     m_separate = addAction(menu, tr("S&eparate Objects"), {}, this, [this] { separateObjects(); });
     m_separate->setToolTip(tr("Each object of the file becomes a target of its own, with the hits on it"));
     m_turntable = addAction(menu, tr("Put on a &Turntable"), {}, this, [this] { standOnTurntable(); });
@@ -70,6 +73,9 @@ void MeshActions::follow() {
     for (QAction* action : {m_refine, m_simplify, m_smooth}) {
         enableIf(*action, target != nullptr && !m_editor.isBusy(), why);
     }
+    const bool isAsRead = target == nullptr || target->steps.empty();
+    enableIf(*m_scale, target != nullptr && isAsRead && !m_editor.isBusy(),
+             isAsRead ? why : tr("The mesh was changed at this size: undo that first."));
     enableIf(*m_turntable, target != nullptr, tr("Select a target first."));
     followHits();
     const bool hasObjects = target != nullptr && objectCount(*target->shape.mesh) > 1;
@@ -114,6 +120,19 @@ void MeshActions::separateObjects() {
     if (const Target* target = focusTarget(m_session)) {
         m_editor.startSeparation(target->id);
     }
+}
+
+void MeshActions::scale() {
+    const Target* target = focusTarget(m_session);
+    if (target == nullptr || m_editor.isBusy()) {
+        return;
+    }
+    const TargetId id = target->id;
+    auto* dialog = new ScaleDialog(target->name, static_cast<double>(target->extent()), &m_window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this,
+            [this, dialog, id] { m_editor.startScaling(id, dialog->extent()); });
+    dialog->open();
 }
 
 void MeshActions::standOnTurntable() {

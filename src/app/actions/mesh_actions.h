@@ -15,7 +15,7 @@ namespace hitscope {
 class AimPreview;
 
 /// What the Mesh menu does to the target in focus: refine, simplify, smooth, apply its
-/// hits, separate its objects, put it on a turntable.
+/// hits, scale it, separate its objects, put it on a turntable.
 class MeshActions : public QObject {
     Q_OBJECT
 public:
@@ -33,6 +33,7 @@ private:
     void show(MeshStepDialog::Kind kind);
     void applyHits();
     void separateObjects();
+    void scale();
     void refineAtAim();
     void standOnTurntable();
     void follow();
@@ -48,6 +49,7 @@ private:
     QAction* m_smooth = nullptr;
     QAction* m_apply = nullptr;
     QAction* m_separate = nullptr;
+    QAction* m_scale = nullptr;
     QAction* m_turntable = nullptr;
 };
 

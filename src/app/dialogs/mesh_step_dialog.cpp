@@ -274,9 +274,9 @@ void MeshStepDialog::showPreview(const Preview& preview, bool done) {
     } else if (!preview.status) {
         m_result->setText(QString::fromStdString(preview.status.error().message()));
     } else {
-        QString text = tr("Vertices: %1, now %2. Faces: %3, now %4.")
-                           .arg(countText(preview.vertices), countText(m_mesh->vertexCount()),
-                                countText(preview.faces), countText(m_mesh->faceCount()));
+        QString text = tr("Vertices: %1 → %2. Faces: %3 → %4.")
+                           .arg(countText(m_mesh->vertexCount()), countText(preview.vertices),
+                                countText(m_mesh->faceCount()), countText(preview.faces));
         if (preview.vertices > kManyVertices) {
             text +=
                 u' ' + tr("Steps before it may be forgotten: what is kept to undo takes 512 MiB at most.");

@@ -30,6 +30,7 @@
 #include "app/session_collector.h"
 #include "app/settings/app_settings.h"
 #include "app/window/window_view.h"
+#include "viewport/viewport.h"
 
 namespace hitscope {
 
