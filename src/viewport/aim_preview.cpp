@@ -153,7 +153,9 @@ void AimPreview::show() {
     const auto metres = static_cast<double>(preview.depth);
     const QString depth = metres >= kMillimetre ? shownNumber(metres, 'f', 3) : shownNumber(metres, 'g', 3);
     QString text = tr("%Ln {vertex|vertices}, %1 m deep", nullptr, trCount(count)).arg(depth);
-    if (count < kFewVertices) {
+    if (hit->constants.maxMagnitude <= 0.0f) {
+        text += tr("\nThe max magnitude is 0: a hit moves nothing");
+    } else if (count < kFewVertices) {
         text += tr("\nFew vertices for a dent: Ctrl+R refines the mesh here");
     }
     showText(text);

@@ -30,6 +30,7 @@ public:
 private Q_SLOTS:
     void offersWhatTheFormatHolds();
     void putsAllTargetsIntoTheScene();
+    void proposesWhatIsSelected();
     void readsLargeFilesBackOnlyWhenAsked();
     void remembersTheLastChoice();
     void offersTheSelectedTargets();
@@ -84,6 +85,18 @@ void ExportDialogTest::putsAllTargetsIntoTheScene() {
     QVERIFY(dialog.scope() == ExportScope::AllTargets);
     QVERIFY(dialog.options().inWorld);
     QVERIFY(!part<QComboBox>(dialog, "frame").isEnabled());
+}
+
+void ExportDialogTest::proposesWhatIsSelected() {
+    const auto proposed = [](std::size_t selected) {
+        ExportDialog dialog({.target = QStringLiteral("one"), .targets = 3, .selected = selected, .hits = 0});
+        dialog.load(QSettings());
+        return dialog.scope();
+    };
+    QCOMPARE(proposed(0), ExportScope::AllTargets);
+    QCOMPARE(proposed(1), ExportScope::OneTarget);
+    QCOMPARE(proposed(2), ExportScope::SelectedTargets);
+    QCOMPARE(proposed(3), ExportScope::AllTargets);
 }
 
 void ExportDialogTest::readsLargeFilesBackOnlyWhenAsked() {

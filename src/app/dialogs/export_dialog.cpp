@@ -202,6 +202,9 @@ void ExportDialog::load(const QSettings& settings) {
         setScope(settings.value(QStringLiteral("export/all"), false).toBool() ? ExportScope::AllTargets
                                                                               : ExportScope::OneTarget);
         setScope(ExportScope::SelectedTargets);  // who selects several means them
+        if (m_choice.selected == 0 || m_choice.selected == m_choice.targets) {
+            setScope(ExportScope::AllTargets);
+        }
     }
     m_allNormals->setChecked(settings.value(QStringLiteral("export/allNormals"), false).toBool());
     m_hasSteps->setChecked(settings.value(QStringLiteral("export/hasSteps"), false).toBool());

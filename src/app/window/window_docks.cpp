@@ -176,6 +176,7 @@ QDockWidget* WindowDocks::makeSceneDock() {
         return m_parts.actions.exports->writeTarget(target, path);
     });
     auto* panel = new ScenePanel(m_parts.session, m_scene);
+    connect(panel, &ScenePanel::said, this, &WindowDocks::said);
     connect(panel, &ScenePanel::filesWanted, this, [this] { m_parts.actions.file->chooseAddition(); });
     connect(
         panel, &ScenePanel::targetWanted, this,

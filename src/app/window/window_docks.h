@@ -61,6 +61,7 @@ public:
 
 Q_SIGNALS:
     void failed(const hitscope::Error& error);
+    void said(const QString& text);
 
 private:
     struct Docks;

@@ -8,6 +8,7 @@
 #include <QSignalBlocker>
 #include <QStyle>
 #include <QStyleOptionSpinBox>
+#include <QTimer>
 #include <QToolTip>
 #include <algorithm>
 #include <array>
@@ -164,11 +165,13 @@ QValidator::State NumberBox::validate(QString& text, int& /*position*/) const {
 
 /// The number stays what it was.
 void NumberBox::fixup(QString& text) const {
-    QToolTip::showText(mapToGlobal(rect().bottomLeft()),
-                       tr("“%1” was not taken: type a number from %2 to %3.")
-                           .arg(number(text), shownFloat(static_cast<float>(minimum())),
-                                shownFloat(static_cast<float>(maximum())) + suffix()),
-                       const_cast<NumberBox*>(this));
+    const QString said = tr("“%1” was not taken: type a number from %2 to %3.")
+                             .arg(number(text), shownFloat(static_cast<float>(minimum())),
+                                  shownFloat(static_cast<float>(maximum())) + suffix());
+    // Later: Return gives the focus away, which hides the tip that is shown.
+    auto* box = const_cast<NumberBox*>(this);
+    QTimer::singleShot(
+        0, box, [box, said] { QToolTip::showText(box->mapToGlobal(box->rect().bottomLeft()), said, box); });
 }
 
 /// In full while it is edited.

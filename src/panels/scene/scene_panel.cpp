@@ -17,6 +17,7 @@
 #include "panels/scene/physics_fields.h"
 #include "panels/scene/scene_delegate.h"
 #include "panels/scene/transform_fields.h"
+#include "session/shown_number.h"
 #include "ui_scene.h"
 
 namespace hitscope {
@@ -166,7 +167,18 @@ void ScenePanel::addPrimitive(PrimitiveKind kind) {
 }
 
 void ScenePanel::duplicateSelected() {
-    m_session.targets().duplicate(selectedTargets());
+    const std::vector<TargetId> targets = selectedTargets();
+    const QString what = nameOf(targets);
+    m_session.targets().duplicate(targets);
+    Q_EMIT said(
+        (targets.size() == 1 ? tr("Duplicated %1, with its hits.") : tr("Duplicated %1, with their hits."))
+            .arg(what));
+}
+
+/// For messages.
+QString ScenePanel::nameOf(const std::vector<TargetId>& targets) const {
+    const Target* only = targets.size() == 1 ? m_session.targets().find(targets.front()) : nullptr;
+    return only != nullptr ? tr("“%1”").arg(only->name) : tr("%Ln targets", nullptr, trCount(targets.size()));
 }
 
 /// The cursor stays at the place, so that the arrow keys go on from there.
@@ -176,7 +188,11 @@ void ScenePanel::removeSelected() {
         return;
     }
     const int first = m_model.rowOf(targets.front());
+    const QString what = nameOf(targets);
     m_session.targets().remove(targets);
+    Q_EMIT said((targets.size() == 1 ? tr("Removed %1. Undo brings it back, with its hits.")
+                                     : tr("Removed %1. Undo brings them back, with their hits."))
+                    .arg(what));
     const int next = std::min(first, m_model.rowCount() - 1);
     m_ui->table->selectionModel()->setCurrentIndex(m_model.index(next, SceneModel::NameColumn),
                                                    QItemSelectionModel::NoUpdate);

@@ -37,7 +37,8 @@ public:
 Q_SIGNALS:
     /// A target of that name shall be added; `make` may take seconds and be called on any thread.
     void targetWanted(const QString& name, const std::function<hitscope::TargetPlan()>& make);
-    void filesWanted();  ///< targets from files shall be added
+    void filesWanted();              ///< targets from files shall be added
+    void said(const QString& text);  ///< what was done
 
 private:
     void setUpTable();
@@ -47,6 +48,7 @@ private:
                         void (ScenePanel::*act)());
     void addPrimitive(PrimitiveKind kind);
     void duplicateSelected();
+    [[nodiscard]] QString nameOf(const std::vector<TargetId>& targets) const;
     void removeSelected();
     void resetSelected();
     void toggleSelected();

@@ -11,6 +11,7 @@
 #include "deform/cluster_reach.h"
 #include "deform/dent_shape.h"
 #include "io/file_scope.h"
+#include "io/float_text.h"
 #include "session/target.h"
 
 namespace hitscope {
@@ -18,7 +19,6 @@ namespace hitscope {
 namespace {
 
 // Typical bytes, from files that other programs write.
-constexpr std::uint64_t kNumber = 9;       // of a text, with its blank
 constexpr std::uint64_t kCsvNumber = 14;   // likewise, of all digits
 constexpr std::uint64_t kPlySource = 5;    // of a vertex: whether it is new, its number in the file
 constexpr std::uint64_t kPlyVertex = 44;   // position, normal, displacement, its length, hits
@@ -115,23 +115,107 @@ std::uint64_t stepBytes(const Target& target, const ExportOptions& options, std:
     return static_cast<std::uint64_t>(count * (kMorphStep + kStepVertex * ofOne));
 }
 
+bool hasNormals(const Target& target, const ExportOptions& options) {
+    return target.sourcePath.isEmpty() || !target.deformed.original().normals.empty() || options.allNormals;
+}
+
 /// Without the steps of an animation.
 std::uint64_t gltfBytes(const Target& target, const ExportOptions& options) {
     const MeshData& mesh = target.deformed.original();
-    const bool hasNormals = target.sourcePath.isEmpty() || !mesh.normals.empty() || options.allNormals;
+    const bool withNormals = hasNormals(target, options);
     const bool hasTexcoords = !mesh.cornerTexcoords.empty();
     // Corners of one vertex are drawn apart for their normals and texture coordinates alone.
     const std::uint64_t drawn =
-        hasNormals || hasTexcoords ? target.deformed.vertices().size() : mesh.positions.size();
-    const std::uint64_t ofVertex = kGltfVertex + (hasNormals ? kGltfNormal : 0) +
+        withNormals || hasTexcoords ? target.deformed.vertices().size() : mesh.positions.size();
+    const std::uint64_t ofVertex = kGltfVertex + (withNormals ? kGltfNormal : 0) +
                                    (hasTexcoords ? kGltfTexcoord : 0) + (mesh.colours.empty() ? 0 : kMorph);
-    const std::uint64_t ofMorph = kMorph * (hasNormals ? 2 : 1);
+    const std::uint64_t ofMorph = kMorph * (withNormals ? 2 : 1);
     const std::uint64_t changed = target.deformed.statistics().changedVertices * drawn /
                                   std::max<std::uint64_t>(1, mesh.positions.size());
     const std::uint64_t index = drawn < 0xffff ? 2 : 4;
     return kGltfText + ofVertex * drawn + std::min(ofMorph * drawn, (ofMorph + 4) * changed) +
            3 * index * (mesh.cornerVertices.size() - 2 * mesh.faceCount()) +
            (kLooseVertex + 4) * (2 * segmentsOf(mesh) + mesh.points.size()) + pictureBytes(target);
+}
+
+/// Mean bytes of coordinates as text, with a blank: of some of `count` vectors, which `at` gives.
+template <typename At>
+double coordinateBytes(std::size_t count, const At& at, char* (*write)(char* to, float value)) {
+    constexpr std::size_t kSamples = 300;
+    char text[kFloatText];
+    std::size_t bytes = 0;
+    const std::size_t samples = std::min(count, kSamples);
+    for (std::size_t s = 0; s < samples; ++s) {
+        const glm::vec3 vector = at(s * count / samples);
+        for (int axis = 0; axis < 3; ++axis) {
+            bytes += static_cast<std::size_t>(write(text, vector[axis]) - text) + 1;
+        }
+    }
+    return samples > 0 ? static_cast<double>(bytes) / (3.0 * static_cast<double>(samples)) : 0.0;
+}
+
+double positionBytes(const MeshData& mesh) {
+    const auto at = [&mesh](std::size_t vertex) {
+        return mesh.filePositions.empty() ? mesh.positions[vertex] : glm::vec3(mesh.filePositions[vertex]);
+    };
+    return coordinateBytes(mesh.positions.size(), at, &writeFloat);
+}
+
+double normalBytes(const Target& target) {
+    const std::span<const DynamicVertex> vertices = target.deformed.vertices();
+    const auto at = [vertices](std::size_t vertex) { return vertices[vertex].normal; };
+    return coordinateBytes(vertices.size(), at, &writeSixDecimals);
+}
+
+double texcoordBytes(const MeshData& mesh) {
+    const auto at = [&mesh](std::size_t index) {
+        const glm::vec2& place = mesh.texcoords[index];
+        return glm::vec3(place, 0.5f * (place.x + place.y));
+    };
+    return coordinateBytes(mesh.texcoords.size(), at, &writeFloat);
+}
+
+/// Mean bytes of the numbers from 1 to `count`, with a blank.
+double indexBytes(std::size_t count) {
+    const auto all = static_cast<double>(std::max<std::size_t>(count, 1));
+    const double digits = std::floor(std::log10(all)) + 1.0;
+    return 1.0 + digits * (all + 1.0) / all - (std::pow(10.0, digits) - 1.0) / (9.0 * all);
+}
+
+/// Of an OBJ that is written anew.
+double objBytes(const Target& target, const ExportOptions& options) {
+    const MeshData& mesh = target.deformed.original();
+    const auto vertices = static_cast<double>(mesh.positions.size());
+    const auto texcoords = static_cast<double>(mesh.texcoords.size());
+    const bool withNormals = hasNormals(target, options);
+    const std::size_t distinct =
+        mesh.normals.empty() ? target.deformed.vertices().size() : mesh.normals.size();
+    const std::size_t normals = withNormals ? distinct : 0;
+    const double numberOfNormal =
+        indexBytes(normals) + (mesh.texcoords.empty() ? 1.0 : 0.0);  // "7//3", "7/2/3"
+    const double ofCorner = indexBytes(mesh.positions.size()) +
+                            (mesh.texcoords.empty() ? 0.0 : indexBytes(mesh.texcoords.size())) +
+                            (withNormals ? numberOfNormal : 0.0);
+    return vertices * (2.0 + 3.0 * positionBytes(mesh)) + texcoords * (3.0 + 2.0 * texcoordBytes(mesh)) +
+           static_cast<double>(normals) * (3.0 + 3.0 * normalBytes(target)) +
+           static_cast<double>(mesh.cornerVertices.size()) * ofCorner +
+           2.0 * static_cast<double>(mesh.faceCount());
+}
+
+/// Of a PLY as text.
+double plyTextBytes(const Target& target) {
+    const MeshData& mesh = target.deformed.original();
+    const auto vertices = static_cast<double>(mesh.positions.size());
+    const auto changed = static_cast<double>(target.deformed.statistics().changedVertices);
+    const double source = mesh.isAsRead() ? 0.0 : 2.0 + indexBytes(mesh.positions.size());
+    // Of what has not moved, the displacement, its length and the hits are zeros.
+    return vertices * (3.0 * positionBytes(mesh) + 3.0 * normalBytes(target) + 10.0 + source) +
+           changed * 4.0 * static_cast<double>(kCsvNumber - 2) +
+           static_cast<double>(mesh.cornerVertices.size()) *
+               (indexBytes(mesh.positions.size()) +
+                (mesh.cornerTexcoords.empty() ? 0.0 : 2.0 * texcoordBytes(mesh))) +
+           2.0 * static_cast<double>(mesh.faceCount()) +
+           2.0 * indexBytes(mesh.positions.size()) * static_cast<double>(segmentsOf(mesh));
 }
 
 /// isAlone: in the file.
@@ -148,15 +232,13 @@ std::uint64_t bytesOf(const Target& target, const ExportOptions& options, bool i
             const bool isCopy = isAlone && mesh.isAsRead() && source.exists() &&
                                 exportFormatOf(target.sourcePath) == ExportFormat::Obj;
             return isCopy ? static_cast<std::uint64_t>(source.size())
-                          : 3 * kNumber * (vertices + mesh.normals.size()) +
-                                2 * kNumber * mesh.texcoords.size() + 2 * kNumber * corners;
+                          : static_cast<std::uint64_t>(objBytes(target, options));
         }
         case ExportFormat::Ply:
             return (kPlyVertex + (mesh.isAsRead() ? 0 : kPlySource)) * vertices + 4 * corners + faces +
                    (hasTexcoords ? 8 * corners + faces : 0) + 8 * segmentsOf(mesh);
         case ExportFormat::PlyAscii:
-            return 11 * kNumber * vertices + (hasTexcoords ? 3 : 1) * kNumber * corners +
-                   2 * kNumber * segmentsOf(mesh);
+            return static_cast<std::uint64_t>(plyTextBytes(target));
         case ExportFormat::Stl:
             return kFacet * (corners - 2 * faces);
         case ExportFormat::Glb:
