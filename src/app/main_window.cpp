@@ -162,9 +162,7 @@ void MainWindow::makeStartCard() {
     centralWidget()->layout()->addWidget(m_startCard);
     QMenu& help = m_menus->help();
     help.insertAction(help.actions().value(1), m_startCard->toggle());
-    connect(m_viewport, &Viewport::shot, m_startCard, &StartCard::dismiss);
-    connect(&m_viewport->inspectTool(), &InspectTool::toolChanged, m_startCard,
-            [this] { m_startCard->setTool(m_viewport->inspectTool().tool()); });
+    m_startCard->follow(*m_viewport, m_session);
     connect(m_sessions, &SessionFiles::opened, m_startCard, [this] {
         if (m_session.hits().history().size() > 0) {  // who made them knows how
             m_startCard->dismiss();

@@ -11,6 +11,8 @@
 #include "analysis/changed_settings.h"
 #include "panels/frame_rate/flow_layout.h"
 #include "panels/icons/themed_icon.h"
+#include "session/session.h"
+#include "viewport/viewport.h"
 
 namespace hitscope {
 
@@ -71,11 +73,35 @@ StartCard::StartCard(const Offers& offers, QWidget* parent)
     hide();
 }
 
+void StartCard::follow(Viewport& viewport, const Session& session) {
+    const InspectTool& tool = viewport.inspectTool();
+    connect(&viewport, &Viewport::shot, this, &StartCard::shotFired);
+    connect(&tool, &InspectTool::toolChanged, this, [this, &tool] { setTool(tool.tool()); });
+    connect(&session, &Session::sceneReplaced, this, [this] {
+        if (m_hasShot) {
+            dismiss();
+        }
+    });
+}
+
+/// Who shoots knows how: no later start shows it.
+void StartCard::shotFired() {
+    if (m_toggle->isChecked() && !m_hasShot) {
+        m_hasShot = true;
+        ChangedSettings()->setValue(settingsKey(), false);
+        setTool(m_tool);
+    }
+}
+
+/// Says what a click and a drag do with this tool.
 void StartCard::setTool(Tool tool) {
+    m_tool = tool;
     switch (tool) {
         case Tool::Shoot:
             m_words->setText(
-                tr("<b>Click the mesh to shoot at it.</b> Drag to look around it, wheel to zoom."));
+                m_hasShot
+                    ? tr("<b>Shoot on, or inspect which vertices moved.</b> Ctrl+Z takes a hit back.")
+                    : tr("<b>Click the mesh to shoot at it.</b> Drag to look around it, wheel to zoom."));
             break;
         case Tool::Inspect:
             m_words->setText(
@@ -111,6 +137,8 @@ void StartCard::restore(const QSettings& settings) {
 }
 
 void StartCard::set(bool on) {
+    m_hasShot = false;
+    setTool(m_tool);
     setVisible(on);
     m_toggle->setChecked(on);
     ChangedSettings()->setValue(settingsKey(), on);

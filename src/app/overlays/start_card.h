@@ -12,8 +12,13 @@ class QSettings;
 
 namespace hitscope {
 
+class Session;
+class Viewport;
+
 /// What to do first, below the picture: shoot, inspect, export, open, samples. Shown from the first start on
-/// until a shot is fired or it is closed, which is remembered; its action brings it back.
+/// until a shot is fired or it is closed, which is remembered; its action brings it back. After a shot it
+/// says what comes next and stays until there is another scene: going, it would give its room to the picture,
+/// which would jump under the cursor.
 class StartCard : public QFrame {
     Q_OBJECT
 public:
@@ -26,8 +31,8 @@ public:
     };
     explicit StartCard(const Offers& offers, QWidget* parent = nullptr);
 
-    /// Says what a click and a drag do with this tool.
-    void setTool(Tool tool);
+    /// Says what can be done next in this window. Both outlive the card.
+    void follow(Viewport& viewport, const Session& session);
 
     /// Shows it unless it was dismissed before.
     void restore(const QSettings& settings);
@@ -38,10 +43,14 @@ public:
 
 private:
     void set(bool on);
+    void setTool(Tool tool);
+    void shotFired();
     void addOffer(QLayout& layout, QAction* action, const QString& text, const char* name);
 
     QAction* m_toggle;
     QLabel* m_words;
+    bool m_hasShot = false;
+    Tool m_tool = Tool::Shoot;
 };
 
 }  // namespace hitscope
