@@ -15,27 +15,18 @@ namespace {
 /// with their shadows.
 constexpr std::size_t kTooMany = 250'000;
 
-/// Triangles that are drawn.
-struct DrawnTriangles {
-    std::size_t all = 0;
-    std::size_t coarse = 0;  ///< in coarse pictures
+}  // namespace
 
-    explicit DrawnTriangles(const SessionTargets& targets) {
-        for (const std::unique_ptr<Target>& target : targets) {
-            if (target->visible) {
-                const RenderMesh& mesh = target->deformed.render();
-                const std::size_t triangles = mesh.triangles.size() / 3;
-                all += triangles;
-                coarse += mesh.coarseTriangles.empty() ? triangles : mesh.coarseTriangles.size() / 3;
-            }
+Viewport::DrawnTriangles::DrawnTriangles(const SessionTargets& targets, bool isCpu) : isSoftware(isCpu) {
+    for (const std::unique_ptr<Target>& target : targets) {
+        if (target->visible) {
+            const RenderMesh& mesh = target->deformed.render();
+            const std::size_t triangles = mesh.triangles.size() / 3;
+            all += triangles;
+            coarse += mesh.coarseTriangles.empty() ? triangles : mesh.coarseTriangles.size() / 3;
         }
     }
-    [[nodiscard]] float coarsePart() const {
-        return all > 0 ? static_cast<float>(coarse) / static_cast<float>(all) : 1.0f;
-    }
-};
-
-}  // namespace
+}
 
 Viewport::Viewport(Session& session, QWidget* parent)
     : QWidget(parent),
@@ -172,8 +163,13 @@ void Viewport::followScene() {
 }
 
 void Viewport::followSize() {
-    const DrawnTriangles drawn(m_session.targets());
-    m_pictures.motion().setCoarsePart(drawn.coarsePart(), m_scene.isSoftware() && drawn.all > kTooMany);
+    const DrawnTriangles drawn(m_session.targets(), m_scene.isSoftware());
+    if (drawn != m_drawn) {  // what only moves takes as long
+        m_drawn = drawn;
+        const float part =
+            drawn.all > 0 ? static_cast<float>(drawn.coarse) / static_cast<float>(drawn.all) : 1.0f;
+        m_pictures.motion().setCoarsePart(part, drawn.isSoftware && drawn.all > kTooMany);
+    }
     const float size = m_session.targets().bounds().diagonal();
     m_navigation.setSceneRadius(size > 0.0f ? size : 1.0f);
 }

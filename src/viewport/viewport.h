@@ -108,6 +108,16 @@ protected:
     void focusOutEvent(QFocusEvent* event) override;
 
 private:
+    /// How many triangles frames draw.
+    struct DrawnTriangles {
+        std::size_t all = 0;
+        std::size_t coarse = 0;  ///< in coarse pictures
+        bool isSoftware = false;
+
+        DrawnTriangles() = default;
+        DrawnTriangles(const SessionTargets& targets, bool isCpu);
+        bool operator==(const DrawnTriangles&) const = default;
+    };
     [[nodiscard]] PictureSurface::Hooks surfaceHooks();
     void connectSession();
     void contextMade();
@@ -143,6 +153,7 @@ private:
     ChangeOverlay m_changeOverlay;
     InspectTool* m_inspect;
     BrushTool* m_brush;
+    DrawnTriangles m_drawn;
     bool m_framed = false;  ///< the scene has been framed at a real size
 
     quint64 m_pressTime = 0;     ///< milliseconds, of the event

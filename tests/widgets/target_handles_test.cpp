@@ -214,6 +214,22 @@ private Q_SLOTS:
         QCOMPARE(targets().size(), std::size_t{1});
     }
 
+    /// Frames of a drag take as long as those before: what they may draw is not found out anew.
+    void framesStayAsCoarseAsTheyAre() {
+        PictureMotion& motion = viewport().pictures().motion();
+        motion.setOn(true);
+        motion.moved();
+        for (int frame = 0; frame < 20; ++frame) {
+            const auto scale = static_cast<double>(motion.beginFrame().scale);
+            motion.frameShown(0.2 * scale * scale);
+        }
+        QVERIFY(motion.coming().scale < 1.0f);
+        QVERIFY(targets().setTransform(first().id, {{0.0f, 1.0f, 0.0f}}).ok());
+        QVERIFY(motion.coming().scale < 1.0f);
+        targets().add({planMesh(makeLowPolyCube())});
+        QCOMPARE(motion.coming().scale, 1.0f);
+    }
+
 private:
     Viewport& viewport() { return m_window->viewport(); }
     SessionTargets& targets() { return m_session->targets(); }
