@@ -70,7 +70,8 @@ void Simulation::hold(std::span<const TargetId> ids) {
     std::set<TargetId> changed = std::exchange(m_held, std::set<TargetId>(ids.begin(), ids.end()));
     changed.insert(ids.begin(), ids.end());
     for (const TargetId id : changed) {
-        if (const Target* target = m_session.m_targets.find(id); target != nullptr && target->visible) {
+        const Target* target = m_session.m_targets.find(id);
+        if (target != nullptr && target->visible && target->physics.isDynamic) {
             letCollide(*target);
         }
     }
