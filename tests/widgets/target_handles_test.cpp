@@ -169,6 +169,15 @@ private Q_SLOTS:
         QVERIFY(distance(held->centre(), from) < 1.0);
     }
 
+    void allAreSelectedByKey() {
+        targets().add({planMesh(makeLowPolyCube())});
+        targets().select({});
+        QTest::keyClick(&viewport(), Qt::Key_A, Qt::ControlModifier);
+        QCOMPARE(targets().allSelected().size(), std::size_t{2});
+        QCOMPARE(targets().selected(), first().id);
+        QVERIFY(grip("moveX")->isVisible());
+    }
+
     void severalTurnAboutTheirMiddle() {
         targets().add({planMesh(makeLowPolyCube())});
         viewport().frameAll(Navigation::Arrival::AtOnce);

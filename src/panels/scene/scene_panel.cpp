@@ -119,6 +119,8 @@ void ScenePanel::makeActions() {
     m_reset = makeAction(QStringLiteral("resetTargets"), tr("Reset Shape"), {}, &ScenePanel::resetSelected);
     m_remove = makeAction(QStringLiteral("removeTargets"), tr("Remove"), QKeySequence::Delete,
                           &ScenePanel::removeSelected);
+    m_selectAll = makeAction(QStringLiteral("selectAllTargets"), tr("Select All"), QKeySequence::SelectAll,
+                             &ScenePanel::selectAll);
     m_duplicate->setIcon(themedIcon(QStringLiteral("copy")));
     m_reset->setIcon(themedIcon(QStringLiteral("reset")));
     m_remove->setIcon(themedIcon(QStringLiteral("remove")));
@@ -132,7 +134,7 @@ void ScenePanel::makeActions() {
 }
 
 QList<QAction*> ScenePanel::targetActions() const {
-    return {m_duplicate, m_remove};
+    return {m_selectAll, m_duplicate, m_remove};
 }
 
 std::vector<TargetId> ScenePanel::selectedTargets() const {
@@ -163,6 +165,17 @@ void ScenePanel::addPrimitive(PrimitiveKind kind) {
     if (dialog.exec() == QDialog::Accepted) {
         const Primitive primitive = dialog.primitive();
         Q_EMIT targetWanted(primitiveName(primitive.kind), [primitive] { return planPrimitive(primitive); });
+    }
+}
+
+void ScenePanel::selectAll() {
+    std::vector<TargetId> all;
+    for (const std::unique_ptr<Target>& target : m_session.targets()) {
+        all.push_back(target->id);
+    }
+    if (!all.empty()) {
+        const TargetId selected = m_session.targets().selected();
+        m_session.targets().select(selected ? selected : all.front(), all);
     }
 }
 
@@ -257,6 +270,7 @@ void ScenePanel::updateActions() {
     for (QAction* action : {m_rename, m_toggle, m_duplicate, m_remove}) {
         enableIf(*action, some, tr("Select a target first."));
     }
+    enableIf(*m_selectAll, m_model.rowCount() > 0, tr("There are no targets."));
     m_toggle->setText(!some || isAnyVisible(targets) ? tr("Hide") : tr("Show"));
     const bool isAnyHit = std::any_of(targets.begin(), targets.end(), [this](TargetId id) {
         const QModelIndex hits = m_model.index(m_model.rowOf(id), SceneModel::HitsColumn);

@@ -47,6 +47,7 @@ private:
     QAction* makeAction(const QString& name, const QString& text, const QKeySequence& key,
                         void (ScenePanel::*act)());
     void addPrimitive(PrimitiveKind kind);
+    void selectAll();
     void duplicateSelected();
     [[nodiscard]] QString nameOf(const std::vector<TargetId>& targets) const;
     void removeSelected();
@@ -68,6 +69,7 @@ private:
     QAction* m_toggle = nullptr;
     QAction* m_reset = nullptr;
     QAction* m_remove = nullptr;
+    QAction* m_selectAll = nullptr;
     bool m_following = false;
 };
 
