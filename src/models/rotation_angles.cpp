@@ -10,11 +10,16 @@ namespace hitscope {
 namespace {
 
 constexpr double kSameRotation =
-    1.0e-6;  // between unit quaternions of one rotation, one of them rounded to float
+    1.0e-6;                       // between unit quaternions of one rotation, one of them rounded to float
+constexpr double kLess = 1.0e-3;  // degrees
 constexpr double kGimbalLock = 0.9999999;  // sine of y beyond which x and z turn about the same axis
 
 bool isSame(const glm::dquat& a, const glm::dquat& b) {
     return std::min(glm::length(a - b), glm::length(a + b)) < kSameRotation;
+}
+
+double halfTurnFrom(double degrees) {
+    return degrees > 0.0 ? degrees - 180.0 : degrees + 180.0;
 }
 
 glm::dquat turn(const glm::dvec3& degrees) {
@@ -45,7 +50,12 @@ glm::dvec3 toAngles(const glm::quat& rotation, const glm::dvec3& shown) {
         angles.x = std::atan2(2.0 * (q.w * q.x + q.y * q.z), 1.0 - 2.0 * (q.x * q.x + q.y * q.y));
         angles.z = std::atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z));
     }
-    return glm::degrees(angles);
+    // Two triples give each rotation: the one that turns less in all reads as what was done.
+    const glm::dvec3 first = glm::degrees(angles);
+    const glm::dvec3 second(halfTurnFrom(first.x), (first.y < 0.0 ? -180.0 : 180.0) - first.y,
+                            halfTurnFrom(first.z));
+    const auto sum = [](const glm::dvec3& a) { return std::abs(a.x) + std::abs(a.y) + std::abs(a.z); };
+    return sum(second) < sum(first) - kLess ? second : first;
 }
 
 }  // namespace hitscope

@@ -30,12 +30,15 @@ float Navigation::aspect() const {
 }
 
 Ray Navigation::rayAt(const QPointF& position) const {
+    const bool isInSecond = m_hasSecond && position.x() >= m_size.width();
+    return rayInFirst(isInSecond ? position - QPointF(m_size.width(), 0.0) : position);
+}
+
+Ray Navigation::rayInFirst(const QPointF& position) const {
     const auto fraction = [](double at, double size) { return static_cast<float>(at / std::max(size, 1.0)); };
-    // Beside the first picture there may be a second one, of the same view.
-    const double x = position.x() < m_size.width() ? position.x() : position.x() - m_size.width();
-    return m_camera.rayThrough(
-        {2.0f * fraction(x, m_size.width()) - 1.0f, 1.0f - 2.0f * fraction(position.y(), m_size.height())},
-        aspect());
+    return m_camera.rayThrough({2.0f * fraction(position.x(), m_size.width()) - 1.0f,
+                                1.0f - 2.0f * fraction(position.y(), m_size.height())},
+                               aspect());
 }
 
 void Navigation::setPreset(NavigationPreset preset) {

@@ -45,9 +45,16 @@ public:
     /// Where the camera is or will be once it has arrived.
     [[nodiscard]] const Camera& goal() const { return m_glide.isRunning() ? m_glide.goal() : m_camera; }
     void setSceneRadius(float radius);
-    void setViewSize(const QSizeF& size) { m_size = size; }  ///< logical pixels
+    /// Logical pixels, of one picture. hasSecond: the same view is beside it.
+    void setViewSize(const QSizeF& size, bool hasSecond = false) {
+        m_size = size;
+        m_hasSecond = hasSecond;
+    }
     [[nodiscard]] float aspect() const;
-    [[nodiscard]] Ray rayAt(const QPointF& position) const;  ///< logical pixels
+    /// Logical pixels; of the first picture, and of the second, where there is one.
+    [[nodiscard]] Ray rayAt(const QPointF& position) const;
+    /// As the first picture goes on beyond its edges.
+    [[nodiscard]] Ray rayInFirst(const QPointF& position) const;
     /// Whether enough of some target to be seen is in the picture; true of an empty scene.
     [[nodiscard]] bool isSceneInSight() const;
 
@@ -107,6 +114,7 @@ private:
     Camera m_camera;
     CameraGlide m_glide;
     bool m_glides = true;
+    bool m_hasSecond = false;
     QSizeF m_size{1.0, 1.0};
     NavigationPreset m_preset = NavigationPreset::Hitscope;
     OrbitMode m_orbitMode = OrbitMode::Point;

@@ -132,7 +132,8 @@ void Viewport::setChangeValues(ChangeValues* values, Comparison* comparison) {
 
 /// Side by side each picture has half of the width.
 void Viewport::followViewSize() {
-    m_navigation.setViewSize({m_options.sideBySide ? width() / 2.0 : width(), static_cast<double>(height())});
+    const bool isTwice = m_options.sideBySide;
+    m_navigation.setViewSize({isTwice ? width() / 2.0 : width(), static_cast<double>(height())}, isTwice);
 }
 
 void Viewport::setOptions(const DisplayOptions& options) {

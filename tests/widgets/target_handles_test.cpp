@@ -178,6 +178,40 @@ private Q_SLOTS:
         QVERIFY(grip("moveX")->isVisible());
     }
 
+    /// The cursor may be anywhere: the target goes with the nearest place on the line that is shown.
+    void theDragGoesOnOutside() {
+        const QPointF head = grip("moveX")->centre();
+        const QPointF along = head - grip("moveAcross")->centre();
+        const QPointF line = along / std::hypot(along.x(), along.y());
+        const QPointF across(-line.y(), line.x());
+        press("moveX");
+        float last = 0.0f;
+        for (int way = 40; head.x() + way < viewport().width() + 200.0; way += 40) {
+            moveBy(way * line);
+            const float now = first().transform.position.x;
+            QVERIFY2(now > last, qPrintable(QString::number(way)));
+            last = now;
+            moveBy(way * line + 60.0 * across);
+            QVERIFY(std::abs(first().transform.position.x / now - 1.0f) < 0.02f);
+        }
+        release();
+        viewport().frameAll(Navigation::Arrival::AtOnce);
+        drag("moveAcross", {viewport().width() + 50.0, 0.0});
+        QVERIFY(first().transform.position.x > last);
+    }
+
+    void undoLetsGo() {
+        press("moveX");
+        moveBy({40.0, 0.0});
+        m_session->undo();
+        QVERIFY(!m_held->isHeld());
+        QVERIFY(grip("moveY")->isVisible());
+        moveBy({80.0, 0.0});
+        release();
+        QCOMPARE(first().transform.position.x, 0.0f);
+        QVERIFY(m_session->steps().canRedo());
+    }
+
     void severalTurnAboutTheirMiddle() {
         targets().add({planMesh(makeLowPolyCube())});
         viewport().frameAll(Navigation::Arrival::AtOnce);

@@ -151,6 +151,7 @@ void ExportActions::choose() {
     choice.target = tr("“%1”").arg(target->name);
     choice.targets = m_session.targets().size();
     choice.selected = m_session.targets().allSelected().size();
+    choice.isScaled = target->deformed.original().placement.scale != 1.0;
     choice.hits = m_session.hits().shown().size();
     choice.shown = m_settings.exportNormals.value_or(m_viewport.options().normals);
     choice.estimate = [this](ExportScope scope, const ExportOptions& options) {

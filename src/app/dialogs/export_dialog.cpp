@@ -83,8 +83,10 @@ void ExportDialog::makeRows(QFormLayout& form) {
                     static_cast<int>(ExportScope::AllTargets));
     enableIf(*m_what, targets > 1, tr("There is one target."));
     m_format = addCombo(form, tr("&Format:"), "format", formats);
-    m_frame = addCombo(form, tr("&Coordinates:"), "frame",
-                       {tr("Those of the mesh's file"), tr("Those of the scene")});
+    m_frame = addCombo(
+        form, tr("&Coordinates:"), "frame",
+        {m_choice.isScaled ? tr("Those of the mesh's file, unscaled") : tr("Those of the mesh's file"),
+         tr("Those of the scene")});
     m_normals = addCombo(form, tr("&Normals:"), "normals", {tr("True"), tr("The paper's")});  // by NormalMode
     m_normals->setCurrentIndex(static_cast<int>(m_choice.shown));
     m_allNormals = addCheck(form, tr("&Also where the file has none"), "allNormals",

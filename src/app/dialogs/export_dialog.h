@@ -28,6 +28,7 @@ public:
         QString target;                       ///< the one in focus, for people
         std::size_t targets = 1;              ///< in the scene
         std::size_t selected = 0;             ///< of these; offered where they are several, and not all
+        bool isScaled = false;                ///< the one in focus, against its file
         std::size_t hits = 0;                 ///< that made what is shown
         NormalMode shown = NormalMode::True;  ///< normals on the screen
         /// What an export of these would amount to.

@@ -20,7 +20,7 @@ constexpr double kMostExtent = 1.0e6;
 
 ScaleDialog::ScaleDialog(const QString& name, double extent, QWidget* parent)
     : QDialog(parent), m_now(extent), m_extent(new NumberBox(this)), m_factor(new NumberBox(this)) {
-    setWindowTitle(tr("Scale “%1”").arg(name));
+    setWindowTitle(tr("Scale"));
     m_extent->setObjectName(QStringLiteral("extent"));
     m_extent->setSuffix(tr(" m"));
     m_extent->setRange(kLeastExtent, kMostExtent);
@@ -36,9 +36,11 @@ ScaleDialog::ScaleDialog(const QString& name, double extent, QWidget* parent)
     auto* form = new QFormLayout;
     form->addRow(tr("Largest &extent"), m_extent);
     form->addRow(tr("&Times the size now"), m_factor);
-    auto* note = new QLabel(tr("It stays where it stands, and its hits are scaled with it. An export has the "
-                               "coordinates of its file all the same, unless it asks for the scene's."),
+    auto* note = new QLabel(tr("“%1” stays where it stands, and its hits are scaled with it. An export has "
+                               "the coordinates of its file all the same, unless it asks for the scene's.")
+                                .arg(name),
                             this);
+    note->setTextFormat(Qt::PlainText);
     note->setWordWrap(true);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     buttons->button(QDialogButtonBox::Ok)->setText(tr("Scale"));

@@ -136,8 +136,8 @@ float CutHandle::moved(const Drag& drag, const QPointF& to) const {
         return glm::dot(cut.normal, camera.forward()) > 0.0f ? up : -up;
     }
     const Navigation& navigation = m_viewport.navigation();
-    const float from = nearestAlong(navigation.rayAt(drag.from), drag.middle, cut.normal);
-    return nearestAlong(navigation.rayAt(to), drag.middle, cut.normal) - from;
+    const float from = nearestAlong(navigation.rayInFirst(drag.from), drag.middle, cut.normal);
+    return nearestAlong(navigation.rayInFirst(to), drag.middle, cut.normal) - from;
 }
 
 void CutHandle::mouseMoveEvent(QMouseEvent* event) {

@@ -9,7 +9,8 @@ namespace hitscope {
 
 namespace {
 
-constexpr int kGripSize = 18;  // logical pixels across
+constexpr int kGripSize = 18;   // logical pixels across
+constexpr double kHole = 2.75;  // logical pixels, its radius
 
 }  // namespace
 
@@ -49,6 +50,11 @@ void HandleGrip::paintEvent(QPaintEvent*) {
     painter.setPen(QPen(edge, 1.5));
     painter.setBrush(m_colour.isValid() ? m_colour : highlight);
     painter.drawEllipse(QRectF(rect()).adjusted(3.0, 3.0, -3.0, -3.0));
+    if (m_isHollow) {
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(palette().color(QPalette::Window));
+        painter.drawEllipse(QRectF(rect()).center(), kHole, kHole);
+    }
 }
 
 void HandleGrip::mousePressEvent(QMouseEvent* event) {

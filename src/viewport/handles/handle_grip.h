@@ -19,6 +19,7 @@ public:
     [[nodiscard]] QPointF centre() const { return m_centre; }
     /// Without: the window's text colour, highlighted under the cursor.
     void setColour(const QColor& colour) { m_colour = colour; }
+    void setHollow() { m_isHollow = true; }  ///< a ring, as of what turns
     [[nodiscard]] bool isHeld() const { return m_isHeld; }
     void letGo();  ///< as if the button were released, and nothing is emitted
 
@@ -38,6 +39,7 @@ protected:
 
 private:
     QColor m_colour;
+    bool m_isHollow = false;
     QPointF m_centre;
     QPointF m_offset;  ///< from the cursor to the centre, while it is held
     bool m_isHeld = false;

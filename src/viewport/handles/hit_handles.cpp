@@ -225,7 +225,7 @@ bool HitHandles::eventFilter(QObject*, QEvent* event) {
 
 /// From the hit's point, in the plane through it across the line of sight.
 float HitHandles::distanceInPlane(const QPointF& place) const {
-    const Ray ray = m_viewport.navigation().rayAt(place);
+    const Ray ray = m_viewport.navigation().rayInFirst(place);
     const glm::vec3 forward = m_viewport.camera().forward();
     const float way = glm::dot(m_before.point - ray.origin, forward) / glm::dot(ray.direction, forward);
     return glm::distance(ray.origin + way * ray.direction, m_before.point);
@@ -243,7 +243,7 @@ float HitHandles::alongArrow(const QPointF& place) const {
     if (std::abs(glm::dot(m_before.direction, m_viewport.camera().forward())) > kAlongSight) {
         return static_cast<float>(QPointF::dotProduct(place, m_arrow)) * pixelAt(m_viewport, m_before.point);
     }
-    return nearestAlong(m_viewport.navigation().rayAt(place), m_before.point, m_before.direction);
+    return nearestAlong(m_viewport.navigation().rayInFirst(place), m_before.point, m_before.direction);
 }
 
 void HitHandles::dragDepth(const QPointF& to) {
@@ -257,7 +257,7 @@ void HitHandles::dragDepth(const QPointF& to) {
 /// The unit vector from the hit's point to where the ray meets the sphere that the arrow's tail is on, or
 /// passes it.
 glm::vec3 HitHandles::onSphere(const QPointF& place) const {
-    const Ray ray = m_viewport.navigation().rayAt(place);
+    const Ray ray = m_viewport.navigation().rayInFirst(place);
     const float radius = std::max(m_before.reach, glm::distance(m_before.point, ray.origin) * 1.0e-4f);
     const float middle = glm::dot(m_before.point - ray.origin, ray.direction);
     const glm::vec3 nearest = ray.origin + middle * ray.direction - m_before.point;

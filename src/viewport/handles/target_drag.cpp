@@ -23,7 +23,6 @@ constexpr int kRoundSteps = 4;                          // at most, in the reach
 constexpr double kRoundTurn = std::numbers::pi / 12.0;  // radians
 constexpr double kFineTurn = std::numbers::pi / 1800.0;
 constexpr float kFarthest = 1.0e3f;  // times the distance of the eye, where a line runs to the horizon
-constexpr float kEdgeOn = 0.2f;      // cosine, below which a circle is seen from the side
 
 struct TargetDragTexts {
     Q_DECLARE_TR_FUNCTIONS(hitscope::TargetDrag)
@@ -59,6 +58,11 @@ TargetDrag::TargetDrag(Viewport& viewport, std::vector<TargetPlace> before, cons
                        QPointF from, Kind kind)
     : m_viewport(viewport), m_before(std::move(before)), m_middle(middle), m_from(from), m_kind(kind) {}
 
+bool TargetDrag::moves(TargetId id) const {
+    return std::any_of(m_before.begin(), m_before.end(),
+                       [id](const TargetPlace& place) { return place.id == id; });
+}
+
 std::vector<TargetPlace> TargetDrag::places() const {
     std::vector<TargetPlace> places = m_before;
     if (m_shift == glm::vec3(0.0f) && m_turned == 0.0) {
@@ -91,6 +95,15 @@ void TargetDrag::dragTo(const QPointF& to, bool rounds) {
     m_turned = roundedToStep(m_angle, rounds ? kRoundTurn : kFineTurn);
 }
 
+/// The place nearest to it on the axis as the picture shows it, which the drag began on.
+QPointF TargetDrag::onLine(const QPointF& to) const {
+    const glm::vec3 end = m_middle + kHandleReach * pixelAt(m_viewport, m_middle) * axisOf(m_kind.axis);
+    const QPointF line = placeInPicture(m_viewport, end).value_or(m_from) -
+                         placeInPicture(m_viewport, m_middle).value_or(m_from);
+    const double squared = QPointF::dotProduct(line, line);
+    return squared > 0.0 ? m_from + QPointF::dotProduct(to - m_from, line) / squared * line : to;
+}
+
 /// World, metres, from where the drag began.
 glm::vec3 TargetDrag::shiftTo(const QPointF& to, bool rounds) const {
     const Navigation& navigation = m_viewport.navigation();
@@ -103,13 +116,13 @@ glm::vec3 TargetDrag::shiftTo(const QPointF& to, bool rounds) const {
     if (m_kind.axis < kAxes) {
         const glm::vec3 axis = axisOf(m_kind.axis);
         const float farthest = kFarthest * glm::distance(m_middle, m_viewport.camera().eye());
-        const float way = nearestAlong(navigation.rayAt(to), m_middle, axis) -
-                          nearestAlong(navigation.rayAt(m_from), m_middle, axis);
+        const float way = nearestAlong(navigation.rayInFirst(onLine(to)), m_middle, axis) -
+                          nearestAlong(navigation.rayInFirst(m_from), m_middle, axis);
         return rounded(std::clamp(way, -farthest, farthest)) * axis;
     }
     const glm::vec3 forward = m_viewport.camera().forward();
     const auto inPlane = [&](const QPointF& place) {
-        const Ray ray = navigation.rayAt(place);
+        const Ray ray = navigation.rayInFirst(place);
         const float way = glm::dot(m_middle - ray.origin, forward) / glm::dot(ray.direction, forward);
         return ray.origin + way * ray.direction;
     };
@@ -120,19 +133,7 @@ glm::vec3 TargetDrag::shiftTo(const QPointF& to, bool rounds) const {
 /// Radians about the dragged axis, but for a constant.
 double TargetDrag::angleTo(const QPointF& to) const {
     const glm::vec3 axis = axisOf(m_kind.axis);
-    const Ray ray = m_viewport.navigation().rayAt(to);
-    const glm::vec3 sight = m_viewport.navigation().rayAt(m_from).direction;
-    if (const float facing = glm::dot(sight, axis); std::abs(facing) < kEdgeOn) {
-        // Like a wheel seen from the side: rolled by the way across its axis, on the side of the grip.
-        const QPointF along =
-            placeInPicture(m_viewport, m_middle + kHandleReach * pixelAt(m_viewport, m_middle) * axis)
-                .value_or(to) -
-            placeInPicture(m_viewport, m_middle).value_or(QPointF());
-        const QPointF across = QPointF(-along.y(), along.x()) / std::max(lengthOf(along), 1.0);
-        const double way = QPointF::dotProduct(to - m_from, across);
-        const bool isBehind = glm::dot(onCircle(m_kind.axis, m_kind.start), sight) > kEdgeOn;
-        return (isBehind ? -way : way) / static_cast<double>(kCircleRadius * kHandleReach);
-    }
+    const Ray ray = m_viewport.navigation().rayInFirst(to);
     const float way = glm::dot(m_middle - ray.origin, axis) / glm::dot(ray.direction, axis);
     if (!(way > 0.0f)) {
         return std::numeric_limits<double>::quiet_NaN();  // beyond the plane's horizon

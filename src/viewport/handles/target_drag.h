@@ -29,7 +29,6 @@ public:
     struct Kind {
         bool turns = false;
         std::size_t axis = kAxes;  ///< kAxes: across the line of sight
-        double start = 0.0;        ///< radians: where the grip is on the circle about the axis
 
         bool operator==(const Kind&) const = default;
     };
@@ -39,6 +38,7 @@ public:
                Kind kind);
 
     [[nodiscard]] const Kind& kind() const { return m_kind; }
+    [[nodiscard]] bool moves(TargetId id) const;
     [[nodiscard]] glm::vec3 middle() const { return m_middle + m_shift; }  ///< as it is now
     [[nodiscard]] double turned() const { return m_turned; }               ///< radians
     [[nodiscard]] std::vector<TargetPlace> places() const;                 ///< of the targets, now
@@ -50,6 +50,7 @@ public:
     void takeBack();
 
 private:
+    [[nodiscard]] QPointF onLine(const QPointF& to) const;
     [[nodiscard]] glm::vec3 shiftTo(const QPointF& to, bool rounds) const;
     [[nodiscard]] double angleTo(const QPointF& to) const;
 

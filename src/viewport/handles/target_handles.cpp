@@ -20,9 +20,11 @@ namespace hitscope {
 
 namespace {
 
-constexpr double kClear = 26.0;  // logical pixels, at least, from the middle to the other grips
-constexpr int kArcSides = 16;    // of a quarter of a circle
-constexpr float kGuide = 12.0f;  // times the reach: how far a line goes on while it is dragged along
+constexpr double kClear = 26.0;   // logical pixels, at least, from the middle to the other grips
+constexpr double kMargin = 4.0;   // logical pixels, from the text to the picture's edge
+constexpr int kArcSides = 16;     // of a quarter of a circle
+constexpr float kGuide = 12.0f;   // times the reach: how far a line goes on while it is dragged along
+constexpr float kEdgeOn = 0.17f;  // cosine, below which a circle looks like a line: 10 degrees
 constexpr double kQuarter = std::numbers::pi / 2.0;
 
 double distanceToSegment(const QPointF& point, const QPointF& from, const QPointF& to) {
@@ -66,13 +68,21 @@ TargetHandles::TargetHandles(Viewport& viewport, Session& session)
                                        tr("Drag to turn about %1; Ctrl: in steps of 15°").arg(letter));
         m_heads[axis]->setColour(axisColour(axis));
         m_turns[axis]->setColour(axisColour(axis));
+        m_turns[axis]->setHollow();
         connectGrip(*m_heads[axis], {.turns = false, .axis = axis});
         connectGrip(*m_turns[axis], {.turns = true, .axis = axis});
     }
     viewport.installEventFilter(this);
     connect(&viewport.navigation(), &Navigation::cameraChanged, this, &TargetHandles::follow);
     connect(&viewport.pictures(), &PictureFlow::framePainted, this, &TargetHandles::follow);
-    connect(&session.targets(), &SessionTargets::changed, this, &TargetHandles::follow);
+    connect(&session.targets(), &SessionTargets::changed, this, [this](TargetId id) {
+        if (m_drag && m_drag->moves(id) &&
+            !m_isApplying) {  // undone, say: what is held is not where it was held
+            m_held->letGo();
+            finishDrag();
+        }
+        follow();
+    });
     connect(&session.targets(), &SessionTargets::removed, this, &TargetHandles::follow);
     connect(&session.targets(), &SessionTargets::selectedChanged, this, &TargetHandles::follow);
     connect(&session, &Session::sceneReplaced, this, &TargetHandles::follow);
@@ -175,7 +185,11 @@ bool TargetHandles::placeArc(const glm::vec3& middle, std::size_t axis, Places& 
         places.arcs[axis].append(*place);
     }
     places.turns[axis] = places.arcs[axis][kArcSides / 2];
-    places.hasTurn[axis] = isTurned || lengthOf(places.turns[axis] - places.middle) > kClear;
+    const glm::vec3 sight =
+        glm::normalize(m_viewport.camera().isOrthographic() ? m_viewport.camera().forward()
+                                                            : middle - m_viewport.camera().eye());
+    const bool isOpen = std::abs(glm::dot(sight, axisOf(axis))) > kEdgeOn;
+    places.hasTurn[axis] = isTurned || (isOpen && lengthOf(places.turns[axis] - places.middle) > kClear);
     return true;
 }
 
@@ -233,13 +247,10 @@ bool TargetHandles::eventFilter(QObject*, QEvent* event) {
 
 // Dragging
 
-void TargetHandles::take(HandleGrip& grip, TargetDrag::Kind kind) {
+void TargetHandles::take(HandleGrip& grip, const TargetDrag::Kind& kind) {
     const std::optional<glm::vec3> at = middle();
     if (!at) {
         return;
-    }
-    if (kind.turns) {
-        kind.start = (m_quadrants[kind.axis] + 0.5) * kQuarter;
     }
     m_viewport.setFocus();  // which takes Escape
     m_session.finishUndoStep();
@@ -257,7 +268,9 @@ void TargetHandles::take(HandleGrip& grip, TargetDrag::Kind kind) {
 
 void TargetHandles::apply() {
     // What is too far away to be a number stays where it is.
+    m_isApplying = true;
     static_cast<void>(m_session.targets().setTransforms(m_drag->places(), SessionUndo::Merge::WithSameKind));
+    m_isApplying = false;
     follow();
 }
 
@@ -324,7 +337,10 @@ void TargetHandles::paintDrag(QPainter& painter) const {
     QRectF box = painter.fontMetrics().boundingRect(text);
     box = box.adjusted(-6.0, -3.0, 6.0, 3.0);
     box.moveCenter(m_places->middle + QPointF(0.0, static_cast<double>(kHandleReach) + 1.5 * box.height()));
-    box.moveBottom(std::min(box.bottom(), height() - 4.0));
+    box.moveBottom(std::min(box.bottom(), height() - kMargin));
+    box.moveTop(std::max(box.top(), kMargin));
+    box.moveRight(std::min(box.right(), width() - kMargin));
+    box.moveLeft(std::max(box.left(), kMargin));
     painter.setPen(Qt::NoPen);
     painter.setBrush(palette().color(QPalette::Window));
     painter.drawRoundedRect(box, 4.0, 4.0);

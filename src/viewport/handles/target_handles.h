@@ -58,7 +58,7 @@ private:
     bool placeArc(const glm::vec3& middle, std::size_t axis, Places& places);
     void chooseQuadrants(const glm::vec3& middle, const Places& places);
     [[nodiscard]] glm::vec3 circlePoint(const glm::vec3& middle, std::size_t axis, double angle) const;
-    void take(HandleGrip& grip, TargetDrag::Kind kind);
+    void take(HandleGrip& grip, const TargetDrag::Kind& kind);
     void apply();
     void finishDrag();
     void endDrag();
@@ -73,6 +73,7 @@ private:
     std::optional<Places> m_places;
     std::optional<TargetDrag> m_drag;
     HandleGrip* m_held = nullptr;  ///< while there is a drag
+    bool m_isApplying = false;
 };
 
 }  // namespace hitscope
