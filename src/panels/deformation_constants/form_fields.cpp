@@ -3,6 +3,7 @@
 
 #include <QComboBox>
 #include <QHBoxLayout>
+#include <QLabel>
 
 #include "models/dent_form_names.h"
 #include "panels/help/help_text.h"
@@ -30,12 +31,15 @@ FormFields::FormFields(QWidget* parent) : QWidget(parent) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(6);
+    auto* label = new QLabel(tr("Fall-off"), this);
+    row->addWidget(label);
     m_profile = makeBox(
         *this, tr("Fall-off profile"), QStringLiteral("profile"),
         tr("How far vertices move by their distance from the hit. Paper: power / distance, with a step at "
-           "the "
-           "rim. Smooth: the same without the step. Wendland C2, linear and crater: from max magnitude to "
+           "the rim. Smooth: the same without the step. Wendland C2, linear and crater: from max magnitude "
+           "to "
            "nothing at max distance. Free curve: through the eight points of the plot."));
+    label->setBuddy(m_profile);
     m_direction = makeBox(
         *this, tr("Direction of dents"), QStringLiteral("dentDirection"),
         tr("Which way vertices move. As it flew: in the direction of the projectile. Into the surface: "

@@ -24,8 +24,9 @@ namespace {
 constexpr int kDecimals = 24;           // none is lost of the smallest number a hit may have
 constexpr double kStepsToNumber = 5.0;  // of its leading digit: 0.5 goes by 0.02 or so
 constexpr double kLeastStep = 1.0e-12;
-constexpr int kWidest = 9;      // characters
-constexpr int kMostDigits = 6;  // of what is wider, and rounded
+constexpr double kResolution = 1.0e-3;  // of what is shown, times the step
+constexpr int kWidest = 9;              // characters
+constexpr int kMostDigits = 6;          // of what is wider, and rounded
 
 struct LengthUnit {
     QLatin1String name;
@@ -107,7 +108,9 @@ QString NumberBox::textFromValue(double value) const {
         const bool touches = !suffix().isEmpty() && !suffix().front().isSpace();  // as "°" does
         return touches ? tr("differ") + u' ' : tr("differ");
     }
-    QString text = shownFloat(static_cast<float>(value));
+    const bool isRounded = m_resolution > 0.0 && !hasFocus();
+    QString text = shownFloat(
+        static_cast<float>(isRounded ? std::round(value / m_resolution) * m_resolution + 0.0 : value));
     for (int digits = kMostDigits; !hasFocus() && text.size() > kWidest && digits > 2; --digits) {
         text = roundedTo(value, digits);
     }
@@ -196,6 +199,7 @@ void NumberBox::setStepsWithin(double span) {
     // Qt shows the number anew for each step that is set, over what is being typed.
     if (span > 0.0 && std::isfinite(span) && !isTyping()) {
         setSingleStep(std::pow(10.0, std::floor(std::log10(span)) - 1.0));
+        m_resolution = kResolution * singleStep();
     }
 }
 

@@ -29,7 +29,8 @@ public:
     [[nodiscard]] QValidator::State validate(QString& text, int& position) const override;
     void fixup(QString& text) const override;
     void stepBy(int steps) override;
-    /// Steps by a power of ten, a hundredth to a tenth of that; nothing where it is not positive.
+    /// Steps by a power of ten, a hundredth to a tenth of that, and shows no more than a thousandth of a step
+    /// while it is not edited; nothing where it is not positive.
     void setStepsWithin(double span);
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
@@ -52,6 +53,7 @@ private:
     [[nodiscard]] QString number(const QString& text) const;
 
     bool m_differs = false;
+    double m_resolution = 0.0;  ///< 0: all digits
     QString m_unit;
 };
 

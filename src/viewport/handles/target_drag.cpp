@@ -11,6 +11,7 @@
 #include <numbers>
 #include <utility>
 
+#include "session/shown_number.h"
 #include "view/change_options.h"
 #include "viewport/handles/handle_geometry.h"
 #include "viewport/viewport.h"
@@ -145,7 +146,7 @@ double TargetDrag::angleTo(const QPointF& to) const {
 
 QString TargetDrag::text() const {
     const auto signedText = [](double value) {
-        const QString digits = QString::number(std::abs(value), 'g', 4);
+        const QString digits = shownNumber(std::abs(value), 'g', 4);
         return (value < 0.0 ? QStringLiteral("\u2212") : QStringLiteral("+")) + digits;
     };
     if (m_kind.turns) {
