@@ -73,6 +73,27 @@ private Q_SLOTS:
         QCOMPARE(edited.count(), 0);
     }
 
+    /// To a thousandth of its step; looking at it changes nothing.
+    void isShownToItsStep() {
+        m_box->setRange(-1000.0, 1000.0);
+        m_box->setStepsWithin(3.0);
+        const double value = static_cast<double>(1.8072712f);
+        m_box->showNumber(value);
+        QCOMPARE(m_box->text(), QStringLiteral("1.8073 m"));
+        const QSignalSpy edited(m_box, &NumberBox::edited);
+        m_box->setFocus();
+        QCOMPARE(m_box->text(), QStringLiteral("1.8072712 m"));
+        QTest::keyClick(m_box, Qt::Key_Return);
+        m_other->setFocus();
+        QCOMPARE(m_box->text(), QStringLiteral("1.8073 m"));
+        QCOMPARE(m_box->value(), value);
+        QCOMPARE(edited.size(), 0);
+        m_box->showNumber(-8.82e-5);
+        QCOMPARE(m_box->text(), QStringLiteral("-0.0001 m"));
+        m_box->showNumber(-1.0e-6);
+        QCOMPARE(m_box->text(), QStringLiteral("0 m"));
+    }
+
     void isShownRoundedAndEditedInFull() {
         const double number = static_cast<double>(0.00025362736f);
         m_box->showNumber(number);
