@@ -35,9 +35,9 @@ ScaleDialog::ScaleDialog(const QString& name, double extent, QWidget* parent)
             [this](double times) { m_extent->showNumber(times * m_now); });
     auto* form = new QFormLayout;
     form->addRow(tr("Largest &extent"), m_extent);
-    form->addRow(tr("&Times the size now"), m_factor);
-    auto* note = new QLabel(tr("“%1” stays where it stands, and its hits are scaled with it. An export has "
-                               "the coordinates of its file all the same, unless it asks for the scene's.")
+    form->addRow(tr("&Factor"), m_factor);
+    auto* note = new QLabel(tr("“%1” stays where it is, and its hits are scaled with it. Exports keep the "
+                               "coordinates of its file, unless you choose those of the scene.")
                                 .arg(name),
                             this);
     note->setTextFormat(Qt::PlainText);
