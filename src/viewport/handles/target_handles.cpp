@@ -2,6 +2,7 @@
 #include "viewport/handles/target_handles.h"
 
 #include <QKeyEvent>
+#include <QLineF>
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
@@ -20,11 +21,12 @@ namespace hitscope {
 
 namespace {
 
-constexpr double kClear = 26.0;   // logical pixels, at least, from the middle to the other grips
-constexpr double kMargin = 4.0;   // logical pixels, from the text to the picture's edge
-constexpr int kArcSides = 16;     // of a quarter of a circle
-constexpr float kGuide = 12.0f;   // times the reach: how far a line goes on while it is dragged along
-constexpr float kEdgeOn = 0.17f;  // cosine, below which a circle looks like a line: 10 degrees
+constexpr double kClear = 26.0;      // logical pixels, at least, from the middle to the other grips
+constexpr double kLongest = 4000.0;  // logical pixels, of such a line on each side
+constexpr double kMargin = 4.0;      // logical pixels, from the text to the picture's edge
+constexpr int kArcSides = 16;        // of a quarter of a circle
+constexpr float kGuide = 12.0f;      // times the reach: how far a line goes on while it is dragged along
+constexpr float kEdgeOn = 0.17f;     // cosine, below which a circle looks like a line: 10 degrees
 constexpr double kQuarter = std::numbers::pi / 2.0;
 
 double distanceToSegment(const QPointF& point, const QPointF& from, const QPointF& to) {
@@ -327,10 +329,18 @@ void TargetHandles::paintDrag(QPainter& painter) const {
             painter.drawLine(m_places->middle, start.value_or(m_places->middle));
             painter.drawLine(m_places->middle, m_places->turns[m_drag->kind().axis]);
         } else {
-            const glm::vec3 way = kGuide * reachAt(m_drag->middle()) * axisOf(m_drag->kind().axis);
-            const auto from = placeInPicture(m_viewport, m_drag->middle() - way);
-            const auto to = placeInPicture(m_viewport, m_drag->middle() + way);
-            painter.drawLine(from.value_or(m_places->middle), to.value_or(m_places->middle));
+            // As far as it is before the eye; near it the picture has it far away.
+            const auto end = [this](float far) {
+                const glm::vec3 way = reachAt(m_drag->middle()) * axisOf(m_drag->kind().axis);
+                std::optional<QPointF> place;
+                for (; !place; far *= 0.5f) {
+                    place = placeInPicture(m_viewport, m_drag->middle() + far * way);
+                }
+                QLineF line(m_places->middle, *place);
+                line.setLength(std::min(line.length(), kLongest));
+                return line.p2();
+            };
+            painter.drawLine(end(-kGuide), end(kGuide));
         }
     }
     const QString text = m_drag->text();
