@@ -9,6 +9,7 @@
 #include "mesh/mesh_objects.h"
 #include "session/mesh_steps/mesh_edit.h"
 #include "session/mesh_steps/separate_objects.h"
+#include "session/stand_targets.h"
 
 namespace hitscope::cli {
 
@@ -34,6 +35,18 @@ QStringList refineWords() {
 }
 
 }  // namespace
+
+UsageOption upOption() {
+    return wordOption("up", "AXIS", {QStringLiteral("y"), QStringLiteral("z")},
+                      QStringLiteral("Axis that points up in the file. z turns the targets upright first, "
+                                     "as Mesh > Turn Upright does; meshes are still written in the "
+                                     "coordinates of their files."),
+                      QStringLiteral("y"));
+}
+
+bool givenZUp(Invocation& given) {
+    return given.word("up") == 1;
+}
 
 QList<UsageOption> meshStepOptions() {
     return {flagOption("separate",
@@ -62,6 +75,10 @@ std::optional<RefineOptions> givenRefinement(Invocation& given) {
                          .edgeLength = static_cast<float>(*length),
                          .keepQuads = method == RefineMethod::Midpoint,
                          .region = {}};
+}
+
+Status turnAllUpright(Session& session) {
+    return turnUpright(session, idsOf(session));
 }
 
 Status separateAll(Session& session) {

@@ -10,6 +10,11 @@
 
 namespace hitscope::cli {
 
+/// --up, and whether it says that z points up in the file.
+[[nodiscard]] UsageOption upOption();
+[[nodiscard]] bool givenZUp(Invocation& given);
+/// All targets of the session together.
+[[nodiscard]] Status turnAllUpright(Session& session);
 /// --separate, --refine, --refine-by: what is done to meshes before they are shot at.
 [[nodiscard]] QList<UsageOption> meshStepOptions();
 /// Nothing: it is not asked for.

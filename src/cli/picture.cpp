@@ -13,6 +13,7 @@
 #include "cli/agreement.h"
 #include "cli/command_line.h"
 #include "cli/film.h"
+#include "cli/mesh_step_options.h"
 #include "cli/picture_arguments.h"
 #include "cli/progress_line.h"
 #include "cli/standard_streams.h"
@@ -86,6 +87,11 @@ Outcome open(Studio& studio, Invocation& given, const PictureArguments& argument
     }
     gl::collectDebugMessages();
     Session& session = studio.opened.session();
+    if (arguments.isZUp) {
+        if (Status turned = turnAllUpright(session); !turned) {
+            return turned.error();
+        }
+    }
     shootAll(session, demoShots(session, arguments.shots, arguments.seed));
     session.targets().select({});
 

@@ -5,6 +5,7 @@
 
 #include "cli/common_options.h"
 #include "cli/cut_argument.h"
+#include "cli/mesh_step_options.h"
 #include "deform/change_quantity.h"
 #include "scene/picture.h"
 #include "view/camera_text.h"
@@ -159,7 +160,7 @@ QList<UsageOption> pictureOptions() {
         wordOption("wireframe", "MODE", words({"off", "over", "only"}),
                    QStringLiteral("Draw the edges of the file's polygons.")),
         wordOption("normals", "KIND", words({"true", "paper"}), QStringLiteral("Normals for shading."))};
-    options << samplesOption()
+    options << upOption() << samplesOption()
             << wordOption("material", "NAME", words({"file", "matcap", "clay", "metal"}),
                           QStringLiteral("Material of the surfaces."))
             << flagOption("environment", QStringLiteral("Light the scene with a studio environment."));
@@ -184,6 +185,7 @@ PictureArguments readPictureArguments(Invocation& given, const QString& scene) {
             given.complain(QStringLiteral("--until goes with a session."));
         }
     }
+    arguments.isZUp = givenZUp(given);
     readSize(given, arguments);
     arguments.samples = given.wholeNumber("samples", 1, kMostSamples);
     arguments.labels = !given.isSet("no-labels");

@@ -13,6 +13,7 @@ namespace hitscope::cli {
 /// What picture and sequence have in common: the scene, and how it is seen.
 struct PictureArguments {
     SceneWish scene;
+    bool isZUp = false;  ///< z points up in the file
     int shots = 0;
     unsigned seed = 1;
     int width = 1280;    ///< pixels

@@ -56,6 +56,11 @@ Status setConstants(Session& session, const ShootOptions& options) {
 
 /// All that comes before the shots.
 Status prepare(Session& session, const ShootOptions& options) {
+    if (options.isZUp) {
+        if (Status turned = turnAllUpright(session); !turned) {
+            return turned;
+        }
+    }
     if (options.separates) {
         if (Status separated = separateAll(session); !separated) {
             return separated;

@@ -23,6 +23,7 @@ struct ShootOptions {
     enum class Shots : std::uint8_t { None, Burst, Random, At, Script };
 
     QString scenePath;                        ///< as SceneWish has it
+    bool isZUp = false;                       ///< z points up in the file
     bool separates = false;                   ///< objects become targets
     std::optional<RefineOptions> refinement;  ///< of all targets; nothing: they stay
     QString hitsPath;                         ///< hits that come before the shots; empty: none

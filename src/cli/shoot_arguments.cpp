@@ -148,7 +148,7 @@ QList<UsageOption> shootOptions() {
         options << parameterOption(parameter,
                                    QStringLiteral("the session's, or %1").arg(parameter.defaultValue));
     }
-    options << formOptions() << meshStepOptions() << repeatOptions();
+    options << formOptions() << upOption() << meshStepOptions() << repeatOptions();
     options << flagOption("absolute",
                           QStringLiteral("Use the constants in metres on any target. Otherwise they apply to "
                                          "a target of 5 m and scale with the target."));
@@ -201,6 +201,7 @@ ShootOptions readShootOptions(Invocation& given) {
     }
     options.constants = parametersOf(given, deformationParameters(), true);
     options.form = givenForm(given);
+    options.isZUp = givenZUp(given);
     options.separates = given.isSet("separate");
     options.refinement = givenRefinement(given);
     options.repeat = givenRepeat(given);

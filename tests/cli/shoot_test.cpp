@@ -189,6 +189,29 @@ private Q_SLOTS:
         QVERIFY(written.readAll().contains("element vertex 3\n"));
     }
 
+    /// A tower along z stands, and is still written as it lay.
+    void meshesWithZUpAreTurnedUpright() {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("tower.obj"));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(
+            "v -1 -1 0\nv 1 -1 0\nv -1 1 0\nv 1 1 0\nv -1 -1 8\nv 1 -1 8\nv -1 1 8\nv 1 1 8\n"
+            "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n");
+        file.close();
+        const QString out = folder.filePath(QStringLiteral("hit.obj"));
+        const QStringList atItsTop{"--at", "0.8,6.8,4", "--out", out, "--max-distance", "5", path};
+        QVERIFY(shoot(atItsTop).out.startsWith(QStringLiteral("1 shot, 0 hits")));
+        const CliRun run = shoot(QStringList{"--up", "z"} + atItsTop);
+        QVERIFY2(run.out.startsWith(QStringLiteral("1 shot, 1 hit")), qPrintable(run.out + run.err));
+        QFile written(out);
+        QVERIFY(written.open(QIODevice::ReadOnly));
+        const QByteArray text = written.readAll();
+        QVERIFY2(text.contains("v -1 -1 0\n") && !text.contains("v 1 -1 8\n"), text.constData());
+        const CliRun refused = shoot({"--up", "x", path});
+        QCOMPARE(refused.status, 2);
+    }
+
     void meshesOfAnySizeAreHit() {
         const QTemporaryDir folder;
         for (const char* extent : {"0.00005", "50000"}) {

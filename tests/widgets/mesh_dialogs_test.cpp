@@ -42,6 +42,7 @@ private Q_SLOTS:
     void returnAccepts();
     void undoCancelsWhatIsBeingDone();
     void whatWasUndoneMeanwhileStays();
+    void targetsStand();
     void objectsBecomeTargets();
     void aTargetIsScaled();
 
@@ -49,6 +50,7 @@ private:
     [[nodiscard]] const Target& target() const { return *m_session->targets().front(); }
     [[nodiscard]] const MeshData& mesh() const { return *target().shape.mesh; }
     void hit();
+    [[nodiscard]] QAction* action(const QString& text) const;
     /// Null, with the test failed: it does not open.
     [[nodiscard]] MeshStepDialog* open(const QString& action);
     template <class Part>
@@ -327,13 +329,30 @@ void MeshDialogsTest::aTargetIsScaled() {
     QVERIFY(target().worldBounds().max == before.max);
 }
 
+QAction* MeshDialogsTest::action(const QString& text) const {
+    const auto actions = m_window->findChildren<QAction*>();
+    return *std::find_if(actions.begin(), actions.end(),
+                         [&text](const QAction* action) { return action->text().remove(u'&') == text; });
+}
+
+void MeshDialogsTest::targetsStand() {
+    MeshData tower = mesh();
+    for (glm::vec3& position : tower.positions) {
+        position *= glm::vec3(1.0f, 1.0f, 3.0f);
+    }
+    loadMesh(*m_session, std::move(tower));
+    const float floor = m_session->targets().floorHeight();
+    const glm::vec3 before = target().worldBounds().size();
+    action(QStringLiteral("Turn Upright"))->trigger();
+    const Bounds turned = target().worldBounds();
+    QVERIFY(std::abs(turned.size().y - before.z) < 1.0e-3f && std::abs(turned.min.y - floor) < 1.0e-3f);
+    QVERIFY(m_session->targets().setTransform(target().id, {{0.0f, 20.0f, 0.0f}, {}}).ok());
+    action(QStringLiteral("Set on the Floor"))->trigger();
+    QVERIFY(std::abs(target().worldBounds().min.y - floor) < 1.0e-3f);
+}
+
 void MeshDialogsTest::objectsBecomeTargets() {
-    const auto separate = [this] {
-        const auto actions = m_window->findChildren<QAction*>();
-        return *std::find_if(actions.begin(), actions.end(), [](const QAction* action) {
-            return action->text().remove(u'&') == QStringLiteral("Separate Objects");
-        });
-    };
+    const auto separate = [this] { return action(QStringLiteral("Separate Objects")); };
     QVERIFY(!separate()->isEnabled());  // the cube is one
     MeshData two = mesh();
     two.groups = {{FaceGroup::Kind::Object, "lower", 0},

@@ -4,6 +4,7 @@
 #include <QAction>
 #include <QMenu>
 #include <algorithm>
+#include <vector>
 
 #include "app/actions/menu_building.h"
 #include "app/dialogs/scale_dialog.h"
@@ -12,6 +13,7 @@
 #include "panels/help/help_text.h"
 #include "session/primitive_target.h"
 #include "session/session.h"
+#include "session/stand_targets.h"
 #include "viewport/aim_preview.h"
 
 namespace hitscope {
@@ -59,6 +61,11 @@ void MeshActions::fill(QMenu& menu) {
     m_scale->setToolTip(tr("Gives the target another size, where it stands, with its hits"));
     m_separate = addAction(menu, tr("S&eparate Objects"), {}, this, [this] { separateObjects(); });
     m_separate->setToolTip(tr("Each object of the file becomes a target of its own, with the hits on it"));
+    m_upright = addAction(menu, tr("Turn &Upright"), {}, this, [this] { stand(turnUpright); });
+    m_upright->setToolTip(
+        tr("For meshes in which z is up: turns the selected targets by a quarter, so that they stand"));
+    m_onFloor = addAction(menu, tr("Set on the &Floor"), {}, this, [this] { stand(setOnFloor); });
+    m_onFloor->setToolTip(tr("Moves the selected targets down or up until they stand on the floor"));
     m_turntable = addAction(menu, tr("Put on a &Turntable"), {}, this, [this] { standOnTurntable(); });
     m_turntable->setToolTip(tr("Adds a turntable that fits under the target, and raises the target onto it"));
     follow();
@@ -76,7 +83,9 @@ void MeshActions::follow() {
     const bool isAsRead = target == nullptr || target->steps.empty();
     enableIf(*m_scale, target != nullptr && isAsRead && !m_editor.isBusy(),
              isAsRead ? why : tr("The mesh was changed at this size: undo that first."));
-    enableIf(*m_turntable, target != nullptr, tr("Select a target first."));
+    for (QAction* action : {m_upright, m_onFloor, m_turntable}) {
+        enableIf(*action, target != nullptr, tr("Select a target first."));
+    }
     followHits();
     const bool hasObjects = target != nullptr && objectCount(*target->shape.mesh) > 1;
     enableIf(*m_separate, hasObjects && !m_editor.isBusy(),
@@ -133,6 +142,16 @@ void MeshActions::scale() {
     connect(dialog, &QDialog::accepted, this,
             [this, dialog, id] { m_editor.startScaling(id, dialog->extent()); });
     dialog->open();
+}
+
+void MeshActions::stand(Status (*how)(Session&, std::span<const TargetId>)) {
+    std::vector<TargetId> ids = m_session.targets().allSelected();
+    if (const Target* target = focusTarget(m_session); ids.empty() && target != nullptr) {
+        ids.push_back(target->id);
+    }
+    if (const Status stood = how(m_session, ids); !stood) {
+        Q_EMIT failed(stood.error());
+    }
 }
 
 void MeshActions::standOnTurntable() {

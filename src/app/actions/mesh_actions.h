@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <span>
 
 #include "app/dialogs/mesh_step_dialog.h"
 #include "app/mesh_editor.h"
@@ -14,8 +15,9 @@ namespace hitscope {
 
 class AimPreview;
 
-/// What the Mesh menu does to the target in focus: refine, simplify, smooth, apply its
-/// hits, scale it, separate its objects, put it on a turntable.
+/// What the Mesh menu does to the target in focus: refine, simplify, smooth, apply its hits, scale it,
+/// separate its objects, put it on a turntable; and to all selected ones: turn them upright, set them on the
+/// floor.
 class MeshActions : public QObject {
     Q_OBJECT
 public:
@@ -35,6 +37,7 @@ private:
     void separateObjects();
     void scale();
     void refineAtAim();
+    void stand(Status (*how)(Session& session, std::span<const TargetId> ids));
     void standOnTurntable();
     void follow();
     void followHits();
@@ -50,6 +53,8 @@ private:
     QAction* m_apply = nullptr;
     QAction* m_separate = nullptr;
     QAction* m_scale = nullptr;
+    QAction* m_upright = nullptr;
+    QAction* m_onFloor = nullptr;
     QAction* m_turntable = nullptr;
 };
 
