@@ -97,7 +97,7 @@ std::vector<TargetId> DiscardGuard::targetsAtRisk() const {
     }
     for (const auto& [target, state] : states(m_session.hits().history().hits())) {
         const auto exported = m_exported.find(target);
-        if (exported == m_exported.end() || exported->second != state) {
+        if (exported == m_exported.end() || exported->second.hits != state) {
             targets.push_back(target);
         }
     }
@@ -114,9 +114,11 @@ std::size_t DiscardGuard::hitsAtRisk() const {
 
 bool DiscardGuard::areTargetsAtRisk() const {
     const SessionTargets& targets = m_session.targets();
-    return hasWorkOnTargets(m_session.steps()) &&
-           !std::all_of(targets.begin(), targets.end(), [this](const std::unique_ptr<Target>& target) {
-               return m_exported.contains(target->id);
+    const std::uint64_t work = workOnTargets(m_session.steps());
+    return (work != 0 || m_files.isRecovered()) &&
+           !std::all_of(targets.begin(), targets.end(), [this, work](const std::unique_ptr<Target>& target) {
+               const auto exported = m_exported.find(target->id);
+               return exported != m_exported.end() && exported->second.work == work;
            });
 }
 
@@ -221,7 +223,9 @@ bool DiscardGuard::askAndWait() {
 void DiscardGuard::exportBegins(const Target& target, const QString& path) {
     const std::map<TargetId, State> shown = states(m_session.hits().shown());
     const auto state = shown.find(target.id);
-    m_writing.emplace(path, Writing{target.id, state != shown.end() ? state->second : kStart});
+    m_writing.emplace(
+        path, Writing{target.id,
+                      {state != shown.end() ? state->second : kStart, workOnTargets(m_session.steps())}});
 }
 
 void DiscardGuard::exportEnds(const QString& path, bool isWritten) {

@@ -68,9 +68,14 @@ Q_SIGNALS:
 
 private:
     using State = std::uint64_t;  ///< tells apart what hits do to a target
+    /// As it was exported.
+    struct Exported {
+        State hits = 0;
+        std::uint64_t work = 0;  ///< workOnTargets() then
+    };
     struct Writing {
         TargetId target;
-        State state = 0;
+        Exported state;
     };
 
     [[nodiscard]] std::map<TargetId, State> states(std::span<const Hit> hits) const;
@@ -88,7 +93,7 @@ private:
     SessionFiles& m_files;
     QWidget& m_window;
     BeginSave m_beginSave;
-    std::map<TargetId, State> m_exported;
+    std::map<TargetId, Exported> m_exported;
     std::multimap<QString, Writing> m_writing;  ///< several: all targets in one file
     std::function<void()> m_then;               ///< after the save that is under way; empty: none is awaited
     std::optional<State> m_keptHits;            ///< of all hits: no question about these

@@ -26,13 +26,13 @@ struct MeshEditor::Work {
     [[nodiscard]] virtual QString said() const = 0;  ///< what came of it
     [[nodiscard]] virtual SessionUndo::Kind kind() const = 0;
 
+    TargetState before;
     std::atomic<bool> cancelled = false;
     Status status = Done{};
 };
 
 /// A target gets another mesh.
 struct MeshEditor::Edit : Work {
-    TargetState before;
     MeshEdit edit;
     TargetState after;
 
@@ -57,7 +57,6 @@ struct MeshEditor::Edit : Work {
 
 /// A target's objects become targets.
 struct MeshEditor::Separation : Work {
-    TargetState before;
     std::vector<Hit> hits;
     SeparatedObjects objects;
 
@@ -79,7 +78,6 @@ struct MeshEditor::Separation : Work {
 
 /// A target gets another size.
 struct MeshEditor::Scaling : Work {
-    TargetState before;
     double extent = 0.0;
     ScaledTarget scaled;
 
@@ -204,6 +202,10 @@ void MeshEditor::finish(const std::shared_ptr<Work>& work, bool done) {
                                         "Choose a greater edge length, or close other programs."});
     if (status && redoable() > m_redoable) {  // it would be forgotten
         status = Error{"The mesh stays as it is: steps were undone meanwhile.", "", "Do it again."};
+    }
+    const Target* now = m_session.targets().find(work->before.id);
+    if (status && now != nullptr && now->shape.mesh != work->before.shape.mesh) {  // it would get the old one
+        status = Error{"The mesh stays as it is: its texture was changed meanwhile.", "", "Do it again."};
     }
     if (status) {
         status = work->take(m_session);

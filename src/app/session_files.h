@@ -37,6 +37,7 @@ public:
     /// gone.
     [[nodiscard]] bool isChangedByOthers() const;
     [[nodiscard]] bool isModified() const;  ///< since it was saved, opened or let go
+    [[nodiscard]] bool isRecovered() const { return m_file.isRecovered; }  ///< and not saved since
     [[nodiscard]] bool isBusy() const { return m_work != nullptr; }
 
     /// Writes it there, whole or not at all; ends with saved(), notSaved() or saveCancelled(). What is

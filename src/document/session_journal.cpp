@@ -76,6 +76,11 @@ void SessionJournal::note(Section section) {
     }
 }
 
+void SessionJournal::keep() {
+    m_startsOver = true;
+    flush();
+}
+
 void SessionJournal::viewChanged() {
     note(Section::Cameras);
     note(Section::Display);

@@ -26,6 +26,8 @@ public:
                    QObject* parent = nullptr);
     ~SessionJournal() override;
 
+    /// What there is now was recovered: it is worth keeping whatever it is. The snapshot goes to the writer.
+    void keep();
     /// Cameras or display are others.
     void viewChanged();
     /// The session is as its file has it, or is not wanted any more: the journal goes, until the next change.

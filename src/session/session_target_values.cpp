@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Values of targets that a person changes one by one: names, visibility, textures, places, physics.
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "session/session.h"
@@ -14,6 +15,17 @@ bool isFinite(const RigidTransform& transform) {
     const glm::vec3& p = transform.position;
     const glm::quat& r = transform.rotation;
     return std::isfinite(p.x + p.y + p.z) && std::isfinite(r.x + r.y + r.z + r.w);
+}
+
+/// `wanted` as a unit quaternion; one that is unit already keeps its bits, else to be put where it is would
+/// turn a target. Nothing: it is no rotation.
+std::optional<glm::quat> unitRotation(const glm::quat& wanted) {
+    constexpr float kRounding = 1.0e-6f;
+    const float length = glm::length(wanted);
+    if (!(length > 1.0e-6f)) {
+        return std::nullopt;
+    }
+    return std::abs(length - 1.0f) <= kRounding ? wanted : wanted / length;
 }
 
 }  // namespace
@@ -64,8 +76,8 @@ Status SessionTargets::setTransforms(std::span<const TargetPlace> places, Sessio
     std::vector<TargetEdit> edits;
     bool turned = false;
     for (const auto& [id, transform] : places) {
-        const float length = glm::length(transform.rotation);
-        if (!isFinite(transform) || !(length > 1.0e-6f)) {
+        const std::optional<glm::quat> rotation = unitRotation(transform.rotation);
+        if (!isFinite(transform) || !rotation) {
             return Error{"A target can only be put where its position and rotation are finite numbers.", "",
                          "Keep to the ranges the Scene panel shows."};
         }
@@ -75,7 +87,7 @@ Status SessionTargets::setTransforms(std::span<const TargetPlace> places, Sessio
         }
         const TargetState before = *m_targets[*index];
         TargetState after = before;
-        after.transform = {transform.position, transform.rotation / length};
+        after.transform = {transform.position, *rotation};
         const bool turns = after.transform.rotation != before.transform.rotation;
         if (turns || after.transform.position != before.transform.position) {
             turned = turned || turns;

@@ -134,6 +134,14 @@ std::size_t SessionUndo::Step::bytes() const {
     return sizeof(Step) + (change ? bytesOf(*change) : kOneEdit + name.count * sizeof(Hit));
 }
 
+std::size_t SessionUndo::bytesOfAll(std::span<const Step> steps) {
+    std::size_t bytes = 0;
+    for (const Step& step : steps) {
+        bytes += step.bytes();
+    }
+    return bytes;
+}
+
 SessionUndo::Step SessionUndo::step(Change change, std::uint64_t number) {
     Step step;
     step.name = change.name;
@@ -174,7 +182,12 @@ bool SessionUndo::absorb(Change& change) {
         }
     }
     for (std::size_t i = 0; i < change.targets.size(); ++i) {
+        const RigidTransform where = last.targets[i].after->transform;
         last.targets[i].after = std::move(change.targets[i].after);
+        if (last.name.kind == Kind::TargetPhysics) {
+            // It may have fallen in between, which undo and redo leave as it is.
+            last.targets[i].after->transform = where;
+        }
     }
     if (last.settings && change.settings) {
         last.settings = std::make_shared<const ValueEdit<SettingsState>>(
@@ -189,10 +202,8 @@ void SessionUndo::record(Change change) {
     if (comesToNothing(change, false)) {
         return;
     }
-    for (const Step& step : m_redo) {
-        m_bytes -= step.bytes();
-    }
-    m_redo.clear();
+    std::vector<Step> undone = std::exchange(m_redo, {});
+    m_bytes -= bytesOfAll(undone);
     const std::size_t before = canUndo() ? m_undo.back().bytes() : 0;
     if (absorb(change)) {
         Step& last = m_undo.back();
@@ -200,12 +211,18 @@ void SessionUndo::record(Change change) {
         m_bytes -= before;
         if (last.change && comesToNothing(*last.change, true)) {
             m_undo.pop_back();
+            m_redo = std::exchange(m_aside, {});
+            m_bytes += bytesOfAll(m_redo);
             finishStep();
             return;
         }
         last.number = ++m_last;
         m_bytes += last.bytes();
         return;
+    }
+    m_aside.clear();
+    if (change.merge == Merge::WithSameKind) {
+        m_aside = std::move(undone);
     }
     m_undo.push_back(step(std::move(change), ++m_last));
     m_bytes += m_undo.back().bytes();
@@ -228,6 +245,10 @@ const SessionUndo::Step& SessionUndo::stepAt(std::size_t step) const {
 
 const SessionUndo::Name& SessionUndo::name(std::size_t step) const {
     return stepAt(step).name;
+}
+
+std::uint64_t SessionUndo::stateAfter(std::size_t step) const {
+    return stepAt(step).number;
 }
 
 QString SessionUndo::target(std::size_t step) const {
@@ -253,12 +274,14 @@ std::optional<SessionUndo::Name> SessionUndo::toRedo() const {
 }
 
 void SessionUndo::finishStep() {
+    m_aside.clear();
     if (canUndo()) {
         m_undo.back().finished = true;
     }
 }
 
 SessionUndo::Change SessionUndo::undo(std::span<const Hit> hits, const Places& places) {
+    m_aside.clear();
     m_redo.push_back(std::move(m_undo.back()));
     m_undo.pop_back();
     Step& undone = m_redo.back();
@@ -290,6 +313,7 @@ SessionUndo::Change SessionUndo::redo(const Places& places) {
 void SessionUndo::clear() {
     m_undo.clear();
     m_redo.clear();
+    m_aside.clear();
     m_first = ++m_last;
     m_bytes = 0;
     m_forgotten = 0;

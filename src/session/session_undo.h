@@ -129,7 +129,8 @@ public:
         /// Where dynamic targets are to be; recorded, where they were before hits knocked them about.
         std::vector<TargetPlace> places = {};
     };
-    /// Where nothing changed nothing is recorded; steps that merge and come to nothing go.
+    /// Where nothing changed nothing is recorded; steps that merge and come to nothing go, and what could be
+    /// made again before them can be again.
     void record(Change change);
     /// Of the state that the steps have led to: two of the same number are equal. Never 0.
     [[nodiscard]] std::uint64_t state() const { return m_undo.empty() ? m_first : m_undo.back().number; }
@@ -137,6 +138,8 @@ public:
     [[nodiscard]] std::size_t size() const { return m_undo.size() + m_redo.size(); }
     [[nodiscard]] std::size_t done() const { return m_undo.size(); }  ///< how many can be undone
     [[nodiscard]] const Name& name(std::size_t step) const;           ///< step < size()
+    /// state() as it is, or will be, after that step; step < size().
+    [[nodiscard]] std::uint64_t stateAfter(std::size_t step) const;
     /// As the target was called that the step is about; empty: it is about none, or several. step < size().
     [[nodiscard]] QString target(std::size_t step) const;
     /// What all steps together take at most, about, and how many were forgotten to keep within kMostBytes.
@@ -168,6 +171,7 @@ private:
         [[nodiscard]] std::size_t bytes() const;  ///< undone
     };
     static Step step(Change change, std::uint64_t number);
+    [[nodiscard]] static std::size_t bytesOfAll(std::span<const Step> steps);
     [[nodiscard]] const Step& stepAt(std::size_t step) const;
     bool absorbHits(const Change& change);
     bool absorb(Change& change);
@@ -176,6 +180,7 @@ private:
     std::size_t m_most;
     std::deque<Step> m_undo;
     std::vector<Step> m_redo;
+    std::vector<Step> m_aside;  ///< could be made again until the last step, which may come to nothing
     std::uint64_t m_last = 1;   ///< number given
     std::uint64_t m_first = 1;  ///< of the state before the first step
     std::size_t m_bytes = 0;

@@ -12,7 +12,8 @@ namespace hitscope {
 
 namespace {
 
-/// World, of all vertices as they are dented. In double precision: a scan may stand far from the origin.
+/// World, of the vertices that faces use, as they are dented. In double precision: a scan may stand far from
+/// the origin.
 struct Extent {
     glm::dvec3 min{std::numeric_limits<double>::infinity()};
     glm::dvec3 max{-std::numeric_limits<double>::infinity()};
@@ -20,8 +21,9 @@ struct Extent {
     void add(const Target& target, const RigidTransform& transform) {
         const glm::dmat3 turn = glm::mat3_cast(glm::dquat(transform.rotation));
         const glm::dvec3 origin(transform.position);
-        for (const glm::vec3& position : target.deformed.positions()) {
-            const glm::dvec3 at = origin + turn * glm::dvec3(position);
+        const std::span<const DynamicVertex> vertices = target.deformed.vertices();
+        for (const DynamicVertex& vertex : vertices.first(target.shape.render->drawnVertices)) {
+            const glm::dvec3 at = origin + turn * glm::dvec3(vertex.position);
             min = glm::min(min, at);
             max = glm::max(max, at);
         }

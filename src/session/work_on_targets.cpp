@@ -31,17 +31,17 @@ bool isWorkOnTargets(SessionUndo::Kind kind) {
 
 }  // namespace
 
-bool hasWorkOnTargets(const SessionUndo& steps) {
+std::uint64_t workOnTargets(const SessionUndo& steps) {
     for (std::size_t step = steps.done(); step > 0; --step) {
         const SessionUndo::Kind kind = steps.name(step - 1).kind;
         if (kind == SessionUndo::Kind::LoadScene) {
-            return false;
+            return 0;
         }
         if (isWorkOnTargets(kind)) {
-            return true;
+            return steps.stateAfter(step - 1);
         }
     }
-    return false;
+    return 0;
 }
 
 }  // namespace hitscope

@@ -10,6 +10,7 @@
 #include "session/mesh_steps/mesh_edit.h"
 #include "session/mesh_steps/scale_target.h"
 #include "session/session.h"
+#include "session/vertex_selection.h"
 #include "support/test_program.h"
 
 namespace hitscope::scale_target_test {
@@ -70,6 +71,44 @@ private Q_SLOTS:
         QVERIFY(m_session->targets()[1]->shape.mesh == before.shape.mesh);
     }
 
+    /// What no face uses neither counts nor is stood on.
+    void looseVerticesDoNotCount() {
+        MeshData mesh = makeLowPolyCube();
+        mesh.positions.push_back({100.0f, -50.0f, 0.0f});
+        ScenePlan plan;
+        plan.targets.push_back(planMesh(std::move(mesh)));
+        m_session->loadScene(std::move(plan));
+        const Bounds old = m_session->targets()[0]->worldBounds();
+        const auto extent = static_cast<double>(m_session->targets()[0]->extent());
+        const Result<ScaledTarget> scaled = scaledTo(*m_session->targets()[0], 2.0 * extent);
+        QVERIFY(scaled.ok());
+        QCOMPARE(scaled.value().factor, 2.0f);
+        QVERIFY(takeScaled(*m_session, scaled.value()).ok());
+        const Bounds now = m_session->targets()[0]->worldBounds();
+        QVERIFY(std::abs(static_cast<double>(m_session->targets()[0]->extent()) / extent - 2.0) < 1.0e-5);
+        QVERIFY(std::abs(now.min.y - old.min.y) < 1.0e-4f);
+        QVERIFY(std::abs(now.centre().x - old.centre().x) < 1.0e-4f);
+    }
+
+    /// On its side, it stands on that.
+    void aTurnedOneStandsWhereItStood() {
+        const Target& target = *m_session->targets()[1];
+        const RigidTransform lying{{1.0f, 2.0f, 3.0f}, glm::angleAxis(1.1f, glm::vec3(0.6f, 0.0f, 0.8f))};
+        QVERIFY(m_session->targets().setTransform(target.id, lying).ok());
+        const Bounds old = seenBounds(target);
+        const Result<ScaledTarget> scaled = scaledTo(target, 3.0 * static_cast<double>(target.extent()));
+        QVERIFY(scaled.ok());
+        m_session->selection().select(target.id, {5}, VertexSelection::Combine::Replace);
+        QVERIFY(takeScaled(*m_session, scaled.value()).ok());
+        const Target& after = *m_session->targets()[1];
+        const Bounds now = seenBounds(after);
+        QVERIFY(std::abs(now.min.y - old.min.y) < 1.0e-3f);
+        QVERIFY(std::abs(now.centre().x - old.centre().x) < 1.0e-3f);
+        QVERIFY(std::abs(now.centre().z - old.centre().z) < 1.0e-3f);
+        QVERIFY(std::abs(now.size().y / old.size().y - 3.0f) < 1.0e-3f);
+        QCOMPARE(m_session->selection().vertices(after.id).size(), std::size_t{1});
+    }
+
     /// As dents of a mesh that was read in that size.
     void itsHitsGoAlong() {
         const Target& target = *m_session->targets()[1];
@@ -111,6 +150,13 @@ private Q_SLOTS:
     }
 
 private:
+    static Bounds seenBounds(const Target& target) {
+        Bounds bounds;
+        for (const glm::vec3& position : target.deformed.positions()) {
+            bounds.add(target.transform.toWorld(position));
+        }
+        return bounds;
+    }
     std::span<const Hit> hits() const { return m_session->hits().history().hits(); }
     void hitFromAbove(const Target& target) {
         const Bounds bounds = target.worldBounds();

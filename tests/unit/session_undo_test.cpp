@@ -204,6 +204,54 @@ private Q_SLOTS:
         QVERIFY(undo.toUndo()->kind == SessionUndo::Kind::Hit);
     }
 
+    /// A drag that is taken back leaves everything as it was, and so what can be made again.
+    void thereAndBackKeepsWhatCanBeMadeAgain() {
+        using Merge = SessionUndo::Merge;
+        SessionUndo undo;
+        undo.record(movedTarget(0, 1, Merge::Never));
+        undo.record(movedTarget(1, 2, Merge::Never));
+        const std::uint64_t state = undo.state();
+        (void)undo.undo({});
+        const std::size_t bytes = undo.bytes();
+        undo.finishStep();
+        undo.record(movedTarget(1, 5, Merge::WithSameKind));
+        QVERIFY(!undo.canRedo());
+        undo.record(movedTarget(5, 1, Merge::WithSameKind));
+        QVERIFY(undo.canRedo());
+        QCOMPARE(undo.bytes(), bytes);
+        QCOMPARE(undo.redo().targets[0].after->transform.position.x, 2.0f);
+        QCOMPARE(undo.state(), state);
+        // One that ends somewhere else does not.
+        (void)undo.undo({});
+        undo.record(movedTarget(1, 5, Merge::WithSameKind));
+        undo.finishStep();
+        undo.record(movedTarget(5, 1, Merge::WithSameKind));
+        QVERIFY(!undo.canRedo());
+        QCOMPARE(undo.size(), std::size_t{3});
+    }
+
+    /// It falls while its friction is set.
+    void physicsPutsNoTargetElsewhere() {
+        SessionUndo undo;
+        const auto setFriction = [&undo](float height, float before, float after) {
+            TargetState from = targetAt(0.0f);
+            from.transform.position.y = height;
+            from.physics.friction = before;
+            TargetState to = from;
+            to.physics.friction = after;
+            undo.record({{SessionUndo::Kind::TargetPhysics, 1},
+                         SessionUndo::Merge::WithSameKind,
+                         {},
+                         {{0, std::move(from), std::move(to)}}});
+        };
+        setFriction(9.0f, 0.5f, 0.6f);
+        setFriction(4.0f, 0.6f, 0.7f);
+        const SessionUndo::Change back = undo.undo({});
+        QCOMPARE(back.targets[0].after->physics.friction, 0.5f);
+        QCOMPARE(back.targets[0].before->physics.friction, 0.7f);
+        QVERIFY(back.targets[0].after->transform == back.targets[0].before->transform);
+    }
+
     void editsOfDifferentHitsNameNone() {
         HitHistory history;
         SessionUndo undo;

@@ -127,7 +127,8 @@ private:
     std::unique_ptr<Session> m_session;
 };
 
+HITSCOPE_TEST(StandTargetsTest, QCoreApplication)
+
 }  // namespace hitscope::stand_targets_test
 
-HITSCOPE_TEST(hitscope::stand_targets_test::StandTargetsTest, QCoreApplication)
 #include "stand_targets_test.moc"

@@ -226,6 +226,10 @@ void DiscardTest::asksForTargets() {
     box->reject();
     QVERIFY(m_window->exportTo(path("kept.obj")).ok());
     QVERIFY(!guard->isAtRisk());
+    QVERIFY(m_session->targets().setTransform(first, RigidTransform{{2.0f, 2.0f, 3.0f}}).ok());
+    QVERIFY(guard->isAtRisk());  // moved since
+    m_session->undo();
+    QVERIFY(!guard->isAtRisk());
 }
 
 /// The hits that the program opens with are not the person's.

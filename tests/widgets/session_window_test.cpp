@@ -63,6 +63,7 @@ private Q_SLOTS:
     void aBrokenFileChangesNothing();
     void aFileThatIsGoneIsNamed();
     void isRecoveredAfterACrash();
+    void targetsWithoutHitsAreRecovered();
     void recoveredIsInItsFile_data();
     void recoveredIsInItsFile();
     void nothingIsLeftAfterAnOrderlyEnd();
@@ -284,6 +285,24 @@ void SessionWindowTest::isRecoveredAfterACrash() {
     }
     QVERIFY(!isOffered());
     QVERIFY(QDir(journalFolder()).entryList(QDir::Files).isEmpty());
+}
+
+/// After a second crash too, and it is not closed without a question.
+void SessionWindowTest::targetsWithoutHitsAreRecovered() {
+    const RigidTransform put{{1.0f, 2.0f, 3.0f}};
+    QVERIFY(m_session->targets().setTransform(m_session->targets().front()->id, put).ok());
+    QTest::qWait(300);  // until the journal has begun
+    QVERIFY(m_window->findChild<SessionJournal*>()->writer().wait(kPatience));
+    for (int crash = 0; crash < 2; ++crash) {
+        makeWindow([](Session& session) { loadTeapot(session); });
+        QVERIFY(!m_window->findChild<DiscardGuard*>()->isAtRisk());
+        m_window->offerRecovery();
+        QTRY_VERIFY_WITH_TIMEOUT(isOffered(), kPatience);
+        m_window->findChild<QPushButton*>(QStringLiteral("recover"))->click();
+        QTRY_VERIFY_WITH_TIMEOUT(m_session->targets().front()->transform == put, kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(!files().isBusy(), kPatience);
+        QVERIFY(m_window->findChild<DiscardGuard*>()->isAtRisk());
+    }
 }
 
 void SessionWindowTest::recoveredIsInItsFile_data() {

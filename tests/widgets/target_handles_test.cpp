@@ -7,6 +7,8 @@
 #include <numbers>
 #include <vector>
 
+#include "mesh/primitives.h"
+#include "session/mesh_steps/scale_target.h"
 #include "support/test_program.h"
 #include "viewport/handles/handle_grip.h"
 #include "viewport/inspect_tool.h"
@@ -169,6 +171,36 @@ private Q_SLOTS:
         QVERIFY(distance(held->centre(), from) < 1.0);
     }
 
+    /// Rotations of whatever last bits: one step, and none after Escape.
+    void whatIsTurnedIsOnlyMoved() {
+        glm::quat rotation(1.0f, 0.0f, 0.0f, 0.0f);
+        for (float angle = 0.1f; rotation / glm::length(rotation) == rotation; angle += 0.1f) {
+            rotation = glm::normalize(glm::angleAxis(angle, glm::normalize(glm::vec3(1.0f, 2.0f, angle))));
+        }
+        QVERIFY(targets().setTransform(first().id, {{}, rotation}).ok());
+        viewport().frameAll(Navigation::Arrival::AtOnce);
+        QVERIFY(viewport().syncNow().ok());
+        const RigidTransform before = first().transform;
+        QVERIFY(before.rotation == rotation);
+        QVERIFY(targets().setTransform(first().id, {{0.1f, 0.0f, 0.0f}, rotation}).ok());
+        m_session->undo();
+        const std::size_t done = m_session->steps().done();
+        press("moveX");
+        moveBy({20.0, 0.0});
+        moveBy({40.0, 0.0});
+        QTest::keyClick(&viewport(), Qt::Key_Escape);
+        release();
+        QVERIFY(first().transform == before);
+        QCOMPARE(m_session->steps().done(), done);
+        QVERIFY(m_session->steps().canRedo());
+        press("moveX");
+        moveBy({20.0, 0.0});
+        moveBy({40.0, 0.0});
+        release();
+        QCOMPARE(m_session->steps().done(), done + 1);
+        QCOMPARE(m_session->steps().toUndo(), (SessionUndo::Name{SessionUndo::Kind::MoveTarget, 1}));
+    }
+
     void allAreSelectedByKey() {
         targets().add({planMesh(makeLowPolyCube())});
         targets().select({});
@@ -255,6 +287,21 @@ private Q_SLOTS:
         release();
         m_session->undo();
         QCOMPARE(targets().size(), std::size_t{1});
+    }
+
+    /// A scaling that was begun before ends: the target under the handles is another one.
+    void whatIsReplacedMeanwhileIsLetGo() {
+        const Result<ScaledTarget> scaled = scaledTo(first(), 2.0 * static_cast<double>(first().extent()));
+        QVERIFY(scaled.ok());
+        press("moveX");
+        moveBy({30.0, 5.0});
+        QVERIFY(takeScaled(*m_session, scaled.value()).ok());
+        QVERIFY(!m_held->isHeld());
+        QVERIFY(targets().isSelected(first().id));
+        const RigidTransform now = first().transform;
+        moveBy({60.0, 5.0});
+        release();
+        QVERIFY(first().transform == now);
     }
 
     /// Frames of a drag take as long as those before: what they may draw is not found out anew.

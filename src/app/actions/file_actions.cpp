@@ -350,8 +350,12 @@ void FileActions::place(double extent) {
         mesh.placement = {};
     }
     ScenePlan plan;
-    plan.targets.push_back(planMesh(prepareMesh(std::move(mesh)), source));
-    plan.name = plan.targets.front().name;
+    TargetPlan placed = planMesh(prepareMesh(std::move(mesh)), source);
+    placed.name = target.name;
+    placed.sourcePath = target.sourcePath;
+    placed.textures = target.textures;
+    plan.targets.push_back(std::move(placed));
+    plan.name = target.name;
     m_parts.session.loadScene(std::move(plan), SessionUndo::Kind::PlaceMesh);
     Q_EMIT said(tr("Placed the mesh. Undo (Ctrl+Z) brings back how it was, with its hits."));
 }

@@ -80,7 +80,7 @@ void JournalKeeping::takeOpened(const QString& path) {
         return;
     }
     // What it was recovered from goes next.
-    m_journal->flush();
+    m_journal->keep();
     m_journal->writer().wait(kPatience);
 }
 

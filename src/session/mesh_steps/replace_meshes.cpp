@@ -54,10 +54,15 @@ std::map<TargetId, TargetId> SessionTargets::replaceMeshes(
     }
     std::vector<HistoryEdit> hitEdits = m_session.m_hits.m_history.replace(rows, hits);
     std::ranges::move(m_session.m_hits.takeOut(gone), std::back_inserter(hitEdits));
-    const auto selected = ids.find(m_selected);
-    const TargetId toSelect = selected != ids.end() ? selected->second : m_selected;
+    const auto nowOf = [&ids](TargetId id) {
+        const auto found = ids.find(id);
+        return found != ids.end() ? found->second : id;
+    };
+    const TargetId toSelect = nowOf(m_selected);
+    std::vector<TargetId> beside = allSelected();
+    std::transform(beside.begin(), beside.end(), beside.begin(), nowOf);
     change(std::move(edits), {kind, ids.size()}, std::move(hitEdits));
-    select(toSelect);
+    select(toSelect, beside);
     return ids;
 }
 

@@ -165,6 +165,10 @@ void HitHandles::follow() {
     }
     setVisible(places.has_value());
     if (!places) {
+        if (isDragging()) {  // a grip that is hidden hears of no release
+            letGo();
+            m_editing.endGesture();
+        }
         return;
     }
     m_size->place(places->size);
@@ -206,15 +210,19 @@ bool HitHandles::isDragging() const {
     return m_size->isHeld() || m_depth->isHeld() || m_direction->isHeld();
 }
 
+void HitHandles::letGo() {
+    for (HandleGrip* grip : {m_size, m_depth, m_direction}) {
+        grip->letGo();
+    }
+}
+
 bool HitHandles::eventFilter(QObject*, QEvent* event) {
     if (event->type() == QEvent::Resize) {
         follow();
     }
     if (event->type() == QEvent::KeyPress && isDragging() &&
         static_cast<const QKeyEvent*>(event)->key() == Qt::Key_Escape) {
-        for (HandleGrip* grip : {m_size, m_depth, m_direction}) {
-            grip->letGo();
-        }
+        letGo();
         m_editing.cancelGesture();
         return true;
     }

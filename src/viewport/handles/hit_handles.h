@@ -58,6 +58,7 @@ private:
     void dragDepth(const QPointF& to);
     void dragDirection(const QPointF& to);
     [[nodiscard]] bool isDragging() const;
+    void letGo();
 
     Viewport& m_viewport;
     Session& m_session;

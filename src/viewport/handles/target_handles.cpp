@@ -123,6 +123,14 @@ std::optional<glm::vec3> TargetHandles::middle() const {
     return m_drag ? m_drag->middle() : bounds.centre();
 }
 
+/// All that is dragged is still there.
+bool TargetHandles::isWhole() const {
+    const std::vector<TargetPlace> places = m_drag->places();
+    return std::all_of(places.begin(), places.end(), [this](const TargetPlace& place) {
+        return m_session.targets().find(place.id) != nullptr;
+    });
+}
+
 /// Metres.
 float TargetHandles::reachAt(const glm::vec3& middle) const {
     return kHandleReach * pixelAt(m_viewport, middle);
@@ -197,7 +205,7 @@ bool TargetHandles::placeArc(const glm::vec3& middle, std::size_t axis, Places& 
 
 void TargetHandles::follow() {
     const std::optional<glm::vec3> at = middle();
-    if (!at && m_drag) {  // what was dragged has gone
+    if (m_drag && (!at || !isWhole())) {  // what was dragged has gone, or is another mesh now
         m_held->letGo();
         finishDrag();
     }

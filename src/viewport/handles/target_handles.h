@@ -52,6 +52,7 @@ private:
         bool operator==(const Places&) const = default;
     };
     [[nodiscard]] bool isOn() const;
+    [[nodiscard]] bool isWhole() const;
     [[nodiscard]] std::optional<glm::vec3> middle() const;
     [[nodiscard]] float reachAt(const glm::vec3& middle) const;
     [[nodiscard]] std::optional<Places> placesOf(const glm::vec3& middle) const;
