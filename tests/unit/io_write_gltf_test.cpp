@@ -8,6 +8,7 @@
 
 #include "glb_support.h"
 #include "io/check/written_check.h"
+#include "io/import.h"
 #include "mesh/corner_normals.h"
 #include "support/test_program.h"
 #include "write_support.h"

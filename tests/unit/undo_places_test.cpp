@@ -198,8 +198,8 @@ private Q_SLOTS:
     }
 };
 
-}  // namespace hitscope::undo_places_test
+HITSCOPE_TEST(UndoPlacesTest, QCoreApplication)
 
-HITSCOPE_TEST(hitscope::undo_places_test::UndoPlacesTest, QCoreApplication)
+}  // namespace hitscope::undo_places_test
 
 #include "undo_places_test.moc"
