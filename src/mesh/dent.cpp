@@ -141,6 +141,31 @@ glm::vec3 axisOf(const glm::dvec3& normal, double area, const glm::dvec3& motion
     return length > 1.0e-9 * area ? glm::vec3(-normal / length) : glm::vec3(0.0f, -1.0f, 0.0f);
 }
 
+/// The faces of a body that was exported inside out point at its middle. Open and flat meshes, whose faces do
+/// not say, count as they are.
+bool isInsideOut(std::span<const std::uint32_t> triangles, std::span<const glm::vec3> positions) {
+    constexpr double kFlat = 0.1;  // of what the sum would be if all faces pointed away from the middle
+    glm::dvec3 middle(0.0);
+    double area = 0.0;
+    for (std::size_t first = 0; first + 2 < triangles.size(); first += 3) {
+        const Corners corners = cornersOf(triangles.subspan(first, 3), positions);
+        const double its = glm::length(areaVector(corners));
+        middle += its * (corners[0] + corners[1] + corners[2]) / 3.0;
+        area += its;
+    }
+    middle = area > 0.0 ? middle / area : middle;
+    double outwards = 0.0;
+    double most = 0.0;
+    for (std::size_t first = 0; first + 2 < triangles.size(); first += 3) {
+        const Corners corners = cornersOf(triangles.subspan(first, 3), positions);
+        const glm::dvec3 way = (corners[0] + corners[1] + corners[2]) / 3.0 - middle;
+        const glm::dvec3 its = areaVector(corners);
+        outwards += glm::dot(its, way);
+        most += glm::length(its) * glm::length(way);
+    }
+    return outwards < -kFlat * most;
+}
+
 /// Of a set of vertices, root of each: neighbours that moved come to have the same.
 class Sets {
 public:
@@ -223,7 +248,12 @@ std::optional<DentMeasures> measureDent(std::span<const std::uint32_t> vertices,
     if (area == 0.0) {
         return std::nullopt;
     }
-    dent.axis = axisOf(normal, corneredArea, meanMotion(vertices, before, after));
+    const glm::dvec3 motion = meanMotion(vertices, before, after);
+    if (glm::dot(motion, normal) > 0.0 && isInsideOut(triangles, before)) {
+        normal = -normal;
+        dent.displacedVolume = -dent.displacedVolume;
+    }
+    dent.axis = axisOf(normal, corneredArea, motion);
     findDeepest(dent, vertices, before, after);
     dent.rimDiameter = widthAcross(vertices, before, dent.axis);
     return dent;

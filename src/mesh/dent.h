@@ -35,7 +35,8 @@ struct DentMeasures {
 
 /// Measures what happened to `vertices` (ascending). The volume is what the triangles sweep on their straight
 /// way from before to after, which for a whole dent that does not reach the surface's boundary is exactly
-/// what lies between the two. Nothing when there are none, or no triangle has them.
+/// what lies between the two. Nothing when there are none, or no triangle has them. Where a
+/// body's faces point inwards and the dent is pushed that way, they count as if they were turned.
 ///
 /// Of a part of a dent, `whole` is all of it (ascending): triangles at the border count for each part by the
 /// corners they have there, so that areas and volumes of the parts add up to those of the whole.
