@@ -2,12 +2,14 @@
 #include "io/read_picture.h"
 
 #include <QDir>
+#include <QFile>
 #include <QFileInfo>
 #include <QImage>
 #include <QImageReader>
 #include <cstring>
 
 #include "io/file_scope.h"
+#include "io/picture_format.h"
 
 namespace hitscope {
 
@@ -28,9 +30,12 @@ Result<Image> readPicture(const QString& path) {
         return noPicture(path, QStringLiteral("it is too large"));
     }
     QImageReader::setAllocationLimit(kMaxDecodedMegabytes);
-    QImageReader reader(path);
-    reader.setDecideFormatFromContent(true);
-    const QByteArray format = reader.format().toLower();
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly)) {
+        return noPicture(path, file.errorString());
+    }
+    const QByteArray format = pictureFormat(file);
+    QImageReader reader(&file, format);
     const QSize size = reader.size();
     if (size.width() > kMaxSide || size.height() > kMaxSide) {
         return noPicture(path, QStringLiteral("it is larger than %1 x %1 pixels").arg(kMaxSide));

@@ -5,6 +5,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "io/read_picture.h"
 #include "io/readers/mtl_reader.h"
 #include "io/readers/obj_reader.h"
 #include "io/readers/textures.h"
@@ -41,6 +42,7 @@ private Q_SLOTS:
     void readsMapsOfMetalnessAndRoughness();
     void keepsToTheFolder_data();
     void keepsToTheFolder();
+    void readsTga();
     void notesBrokenPictures();
 
 private:
@@ -281,6 +283,24 @@ void MaterialsTest::keepsToTheFolder() {
     QCOMPARE(imported.notes.size(), 1);
     QVERIFY2(imported.notes[0].contains(QStringLiteral("is not in the mesh's folder")),
              qPrintable(imported.notes[0]));
+}
+
+/// 2 x 1 pixels, blue and red; the format has no mark that tells it, and games are full of it.
+void MaterialsTest::readsTga() {
+    const QByteArray tga =
+        QByteArray::fromHex("000002000000000000000000020001001800") + QByteArray::fromHex("ff00000000ff");
+    writeFile(m_folder, QStringLiteral("skin.tga"), tga.toStdString());
+    writeFile(m_folder, QStringLiteral("a.mtl"), "newmtl skin\nmap_Kd skin.tga\n");
+    const ImportedMesh imported = read(QStringLiteral("a.mtl"));
+    QVERIFY2(imported.notes.isEmpty(), qPrintable(imported.notes.join(u' ')));
+    QCOMPARE(imported.mesh.images.size(), std::size_t{1});
+    const Image& image = imported.mesh.images[0];
+    QCOMPARE(image.width, 2);
+    QCOMPARE(static_cast<int>(image.pixels[2]), 255);
+    QCOMPARE(static_cast<int>(image.pixels[4]), 255);
+    const Result<Image> chosen = readPicture(m_folder + QStringLiteral("/skin.tga"));
+    QVERIFY(chosen.ok());
+    QVERIFY(chosen.value().pixels == image.pixels);
 }
 
 void MaterialsTest::notesBrokenPictures() {

@@ -10,6 +10,7 @@
 #include <unordered_set>
 
 #include "io/file_scope.h"
+#include "io/picture_format.h"
 
 namespace hitscope {
 namespace {
@@ -42,8 +43,8 @@ QImage decode(const QByteArray& bytes, QString& why) {
     QBuffer buffer;
     buffer.setData(bytes);
     buffer.open(QIODevice::ReadOnly);
-    QImageReader reader(&buffer);
-    if (!isPicture(reader.format().toLower())) {
+    QImageReader reader(&buffer, pictureFormat(buffer));
+    if (!isPicture(reader.format())) {
         why = QStringLiteral("it is not a picture of a known format");
         return {};
     }

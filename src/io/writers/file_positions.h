@@ -11,7 +11,9 @@ namespace hitscope {
 class FilePositions {
 public:
     /// `what` outlives this.
-    explicit FilePositions(const MeshExport& what) : m_mesh(*what.mesh), m_now(what.positions) {}
+    explicit FilePositions(const MeshExport& what) : FilePositions(*what.mesh, what.positions) {}
+    /// `now`: deformed, local frame, one a vertex. Both outlive this.
+    FilePositions(const MeshData& mesh, std::span<const glm::vec3> now) : m_mesh(mesh), m_now(now) {}
 
     [[nodiscard]] bool isMoved(std::size_t v) const { return !sameBits(m_now[v], m_mesh.positions[v]); }
     [[nodiscard]] glm::dvec3 original(std::size_t v) const {
