@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The table of changed vertices, and why a vertex is where it is.
 #include <algorithm>
+#include <array>
 #include <glm/trigonometric.hpp>
 
 #include "analysis/hit_effects.h"
 #include "cli/agreement.h"
 #include "cli/common_options.h"
 #include "cli/opened_scene.h"
+#include "cli/placement_report.h"
 #include "cli/standard_streams.h"
 #include "cli/target_argument.h"
 #include "cli/verbs.h"
 #include "deform/attribution.h"
 #include "io/csv_writer.h"
+#include "io/placement_text.h"
+#include "io/writers/file_positions.h"
 #include "models/vertex_facts.h"
 
 namespace hitscope::cli {
@@ -60,19 +64,33 @@ public:
 private:
     void add(const Target& target, std::uint32_t vertex, std::uint32_t hits) {
         const VertexFacts facts = vertexFacts(target.deformed, vertex);
+        const MeshData& mesh = target.deformed.original();
+        if (mesh.placement.isIdentity()) {
+            add(target, vertex, hits, facts, std::array{facts.original, facts.current, facts.displacement});
+            return;
+        }
+        // As an export has them.
+        const FilePositions file(mesh, target.deformed.positions());
+        add(target, vertex, hits, facts,
+            std::array{file.original(vertex), file.now(vertex), file.displacement(vertex)});
+    }
+
+    /// vectors: original, current, displacement, in the file's coordinates.
+    template <typename Vector>
+    void add(const Target& target, std::uint32_t vertex, std::uint32_t hits, const VertexFacts& facts,
+             const std::array<Vector, 3>& vectors) {
         const double turned = glm::degrees(facts.turned);
+        const double length = facts.length / target.deformed.original().placement.scale;
         m_csv.text(target.name.toStdString()).count(std::uint64_t{vertex} + 1);
-        for (const glm::vec3& vector : {facts.original, facts.current, facts.displacement}) {
+        for (const Vector& vector : vectors) {
             m_csv.exact(vector.x).exact(vector.y).exact(vector.z);
         }
         const bool isNew = target.deformed.original().isNew(vertex);
-        m_csv.exact(facts.length).exact(turned).count(hits).count(isNew ? 1 : 0);
+        m_csv.exact(length).exact(turned).count(hits).count(isNew ? 1 : 0);
         m_csv.endRow();
-        m_report.beginObject()
-            .count("vertex", std::uint64_t{vertex} + 1)
-            .vector("original_m", facts.original);
-        m_report.vector("current_m", facts.current).vector("displacement_m", facts.displacement);
-        m_report.number("length_m", facts.length)
+        m_report.beginObject().count("vertex", std::uint64_t{vertex} + 1).vector("original_m", vectors[0]);
+        m_report.vector("current_m", vectors[1]).vector("displacement_m", vectors[2]);
+        m_report.number("length_m", length)
             .number("normal_turned_deg", turned)
             .count("hits", hits)
             .truth("new", isNew)
@@ -128,12 +146,13 @@ Outcome explainVertex(Invocation& given, const Session& session, const Target& t
     report.text("target", target.name)
         .count("vertex", std::uint64_t{vertex} + 1)
         .vector("original_m", original);
+    const Placement& placement = target.deformed.original().placement;
+    addPlacement(report, placement);
     report.vector("current_m", current).vector("attributed_m", attribution.vertex().position);
     report.truth("exact", isSame).beginArray("hits");
-    QString text = QStringLiteral("%1, vertex %2\noriginal  %3\n")
-                       .arg(target.name)
-                       .arg(vertex + 1)
-                       .arg(placeOf(original));
+    QString text = QStringLiteral("%1, vertex %2\n").arg(target.name).arg(vertex + 1);
+    text += placement.isIdentity() ? QString() : placementText(placement) + u'\n';
+    text += QStringLiteral("original  %1\n").arg(placeOf(original));
     for (const VertexContribution& part : attribution.contributions()) {
         const Contribution& by = part.contribution;
         report.beginObject().count("hit", part.hit + 1).number("distance_m", by.distance);
@@ -212,8 +231,8 @@ Verb changesVerb() {
              .about = QStringLiteral("print the table of changed vertices"),
              .description = QStringLiteral(
                  "Prints a line for each changed vertex as CSV, or with --json as JSON. Counts vertices from "
-                 "1, as in the file; \"new\" says which ones refining added. Numbers read back to the same "
-                 "bits."),
+                 "1, as in the file, and gives the file's coordinates; \"new\" says which ones refining "
+                 "added. Numbers read back to the same bits."),
              .options = QList<UsageOption>{targetOption(QStringLiteral("all")),
                                            pipelineOption(QStringLiteral("the session's"))} +
                         reportOptions(),

@@ -12,15 +12,15 @@
 namespace hitscope::cli {
 
 UsageOption quietOption() {
-    return flagOption("quiet",
-                      QStringLiteral("Print errors only: no notes, no progress, and with --report no text."));
+    return flagOption("quiet", QStringLiteral("Print no notes and no progress."));
 }
 
 QList<UsageOption> reportOptions() {
-    return {flagOption("json", QStringLiteral("Print the report as JSON instead of text.")),
-            outputOption("report",
-                         QStringLiteral("Write the report as JSON to a file, completely or not at all.")),
-            quietOption()};
+    return {
+        flagOption("json", QStringLiteral("Print the report as JSON instead of text.")),
+        outputOption("report",
+                     QStringLiteral("Write the report as JSON to a file, completely or not at all.")),
+        flagOption("quiet", QStringLiteral("Print no notes and no progress, and with --report no text."))};
 }
 
 UsageOption pipelineOption(const QString& standard) {

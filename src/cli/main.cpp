@@ -63,7 +63,8 @@ int runVerb(const Verb& verb, const QStringList& arguments) {
     }
     if (given.error().isEmpty()) {
         keepOutputs(given);
-        status = verb.run(given);
+        const hitscope::Status there = checkFolders(given);
+        status = there ? verb.run(given) : finish(there.error());
     }
     return given.error().isEmpty() ? status : wrongUsage(given.error(), verb.usage.name);
 }

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/command_line.h"
 #include "document/mesh_step_fields.h"
 #include "mesh/mesh_objects.h"
 #include "session/mesh_steps/mesh_edit.h"
@@ -82,11 +83,13 @@ Status turnAllUpright(Session& session) {
 }
 
 Status separateAll(Session& session) {
+    bool isAny = false;
     for (const TargetId id : idsOf(session)) {
         const Target& target = *session.targets().find(id);
         if (objectCount(*target.shape.mesh) < 2) {
             continue;
         }
+        isAny = true;
         const Result<SeparatedObjects> objects = separated(target, meshEdit(session, id, {}).hits);
         if (!objects) {
             return objects.error();
@@ -94,6 +97,9 @@ Status separateAll(Session& session) {
         if (Status taken = takeSeparated(session, objects.value()); !taken) {
             return taken;
         }
+    }
+    if (!isAny) {
+        note(QStringLiteral("Nothing was separated: no mesh has several objects (o in OBJ, nodes in glTF)."));
     }
     return Done{};
 }

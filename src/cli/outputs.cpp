@@ -3,6 +3,7 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <algorithm>
 #include <filesystem>
 #include <variant>
 #include <vector>
@@ -168,6 +169,29 @@ QString wrongOutputs(const Invocation& given) {
         before.push_back(output);
     }
     return {};
+}
+
+Status checkFolders(const Invocation& given) {
+    const QList<UsageOption>& options = given.usage().options;
+    if (std::any_of(options.begin(), options.end(),
+                    [](const UsageOption& option) { return option.takes == UsageOption::Takes::Folder; })) {
+        return Done{};
+    }
+    for (const NamedFile& output : filesOf(given, true)) {
+        const QFileInfo file(output.path);
+        if (isStandardStream(output.path)) {
+            continue;
+        }
+        if (file.isDir()) {
+            return Error{output.as.toStdString() + " names a folder.", output.path.toStdString(),
+                         "Name a file in it."};
+        }
+        if (!QFileInfo(file.absolutePath()).isDir()) {
+            return Error{output.as.toStdString() + " names a file in a folder that is not there.",
+                         output.path.toStdString(), "Make the folder, or choose another one."};
+        }
+    }
+    return Done{};
 }
 
 void keepOutputs(const Invocation& given) {

@@ -19,6 +19,10 @@ namespace hitscope::cli {
 /// session may be written to the file that it was read from. Empty: nothing.
 [[nodiscard]] QString wrongOutputs(const Invocation& given);
 
+/// An error where a file is to be written into a folder that is not there, or onto a folder: before anything
+/// is done. Nothing is said of verbs that make folders.
+[[nodiscard]] Status checkFolders(const Invocation& given);
+
 /// Keeps what the command line writes, for what follows.
 void keepOutputs(const Invocation& given);
 /// An error where one of these is a file that a target was read from, or one that this refers to: a session

@@ -6,10 +6,12 @@
 #include "cli/common_options.h"
 #include "cli/cut_argument.h"
 #include "cli/opened_scene.h"
+#include "cli/placement_report.h"
 #include "cli/section_drawing.h"
 #include "cli/standard_streams.h"
 #include "cli/target_argument.h"
 #include "cli/verbs.h"
+#include "io/placement_text.h"
 #include "models/section_report.h"
 
 namespace hitscope::cli {
@@ -48,11 +50,12 @@ void addCurves(JsonReport& report, const char* key, const std::vector<SectionCur
     report.endArray();
 }
 
-JsonReport reportOf(const SceneSection& section) {
+JsonReport reportOf(const Session& session, const SceneSection& section) {
     JsonReport report("section");
     report.vector("normal", section.cut.normal).number("offset_m", section.cut.offset).beginArray("targets");
     for (const TargetSection& target : section.targets) {
         report.beginObject().text("name", target.name).number("greatest_depth_m", target.depths.greatest);
+        addPlacement(report, session.targets().find(target.target)->deformed.original().placement);
         addCurves(report, "original", target.original);
         addCurves(report, "deformed", target.deformed);
         report.endObject();
@@ -84,8 +87,15 @@ Outcome section(Invocation& given, const CuttingPlane& cut) {
             return written;
         }
     }
-    JsonReport report = reportOf(made);
-    return giveReport(given, report, sectionText(made, {}) + u'\n');
+    JsonReport report = reportOf(scene.session(), made);
+    QString text = sectionText(made, {}) + u'\n';
+    for (const TargetSection& target : made.targets) {
+        const Target& whole = *scene.session().targets().find(target.target);
+        const Placement& placement = whole.deformed.original().placement;
+        text += placement.isIdentity() ? QString()
+                                       : whole.name + QStringLiteral(": ") + placementText(placement) + u'\n';
+    }
+    return giveReport(given, report, text);
 }
 
 int runSection(Invocation& given) {
@@ -111,7 +121,8 @@ Verb sectionVerb() {
          .description =
              QStringLiteral("Cuts the original and the deformed targets with a plane, and prints the length "
                             "of the profile and the greatest depth. The depth at a corner is the distance to "
-                            "the nearest point of the original's profile."),
+                            "the nearest point of the original's profile. Coordinates and the plane are "
+                            "the scene's; of a mesh that was moved or scaled there, the report says how."),
          .options =
              QList<UsageOption>{
                  valueOption("plane", "PLANE",

@@ -113,6 +113,32 @@ void readAim(Invocation& given, ShootOptions& options) {
     }
 }
 
+/// What says how shots fly, where it would change nothing.
+void complainOfIdle(Invocation& given, Shots shots) {
+    const auto complain = [&given](const char* name, const char* why) {
+        if (given.isSet(name)) {
+            given.complain(QStringLiteral("--%1 %2").arg(QLatin1String(name), QLatin1String(why)));
+        }
+    };
+    if (shots == Shots::At) {
+        complain("every", "is not for --at, which fires one shot.");
+        return;
+    }
+    if (shots != Shots::Script && shots != Shots::None) {
+        return;
+    }
+    const char* const why = shots == Shots::Script ? "is not for --script, which says it of each shot."
+                                                   : "goes with shots, and none are asked for.";
+    for (const char* name : {"flight", "instant", "every"}) {
+        complain(name, why);
+    }
+    for (const ParameterDescriptor& parameter : projectileParameters()) {
+        if (isOfShots(parameter)) {
+            complain(optionName(parameter).constData(), why);
+        }
+    }
+}
+
 }  // namespace
 
 QList<UsageOption> shootOptions() {
@@ -199,6 +225,7 @@ ShootOptions readShootOptions(Invocation& given) {
         }
         options.flight = FlightMode::Instant;
     }
+    complainOfIdle(given, options.shots);
     options.constants = parametersOf(given, deformationParameters(), true);
     options.form = givenForm(given);
     options.isZUp = givenZUp(given);

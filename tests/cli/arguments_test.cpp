@@ -57,6 +57,10 @@ void ArgumentsTest::wrong_data() {
     row("help ''", "the argument VERB of help is empty");
     // What has no effect.
     row("export --check --format csv --out @a.csv @one.hitscope", "--check goes with");
+    row("shoot --script @s.json --speed 5", "--speed is not for --script");
+    row("shoot --script @s.json --flight instant", "--flight is not for --script");
+    row("shoot --at 0,0,0 --every 1 @ball.obj", "--every is not for --at");
+    row("shoot --scatter 5 --mass 2 @ball.obj", "--mass goes with shots");
     row("export --steps 3 --out @a.obj @one.hitscope", "--steps goes with");
     row("export --all-normals --out @a.ply @one.hitscope", "--all-normals goes with");
     row("convert --all-normals @ball.obj @a.glb", "--all-normals goes with");

@@ -128,6 +128,18 @@ private Q_SLOTS:
         QCOMPARE(QDir(m_folder->path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot), before);
     }
 
+    /// Nothing is written, and no work done, where one of the outputs has no place.
+    void foldersAreLookedForFirst() {
+        for (const QString& out : {at("gone/x.obj"), m_folder->path()}) {
+            const CliRun run = runCli(
+                {"shoot", "--random", "3", "--session", at("kept.hitscope"), "--out", out, at("mesh.obj")});
+            QCOMPARE(run.status, 3);
+            QVERIFY2(run.err.contains(QStringLiteral("--out names")), qPrintable(run.err));
+            QVERIFY(run.out.isEmpty());
+            QVERIFY(!QFileInfo::exists(at("kept.hitscope")));
+        }
+    }
+
     void aSessionMayBeGoneOnWith() {
         const QString session = at("s.hitscope");
         const CliRun more = runCli({"shoot", "--random", "1", "--session", session, session});

@@ -131,6 +131,33 @@ private Q_SLOTS:
         QVERIFY(runCli({"changes", in("far.hitscope"), "--quiet"}).err.isEmpty());
     }
 
+    /// The same numbers as in an export; where a report is in the scene's, it says how they were placed.
+    void changesAreInFileCoordinates() {
+        const QString mesh = writeBytes(in("large.obj"), sheetObj(-5.0e19, 1.0e20));
+        const CliRun shot = runCli({"shoot", "--at", "0,0,0", "--session", in("large.hitscope"), mesh});
+        QVERIFY2(shot.out.contains(QStringLiteral("1 shot, 1 hit")), qPrintable(shot.out + shot.err));
+        const QStringList changes = runCli({"changes", in("large.hitscope")}).out.split(u'\n');
+        const QStringList exported =
+            runCli({"export", "--format", "csv", "--out", "-", in("large.hitscope")}).out.split(u'\n');
+        QVERIFY(changes.size() > 2);
+        QCOMPARE(changes.size(), exported.size());
+        const QStringList a = changes[1].split(u',');
+        const QStringList b = exported[1].split(u',');
+        QVERIFY2(std::abs(a[2].toDouble()) > 1.0e18, qPrintable(changes[1]));
+        QCOMPARE(a.mid(1, 10), b.mid(0, 10));  // vertex, original, current, displacement
+        QVERIFY(std::abs(a[11].toDouble() / b[10].toDouble() - 1.0) < 1.0e-6);
+        const auto scaleOf = [](const QJsonObject& object) {
+            return object["placement"].toObject()["scale"].toDouble();
+        };
+        const QJsonObject explained =
+            jsonOf(runCli({"explain", "--json", "--vertex", a[1], in("large.hitscope")}));
+        QVERIFY(scaleOf(explained) > 0.0 && scaleOf(explained) < 1.0e-15);
+        const QJsonObject cut = jsonOf(runCli({"section", "--json", "--plane", "y=0.3", mesh}));
+        QCOMPARE(scaleOf(cut["targets"].toArray()[0].toObject()), scaleOf(explained));
+        const CliRun text = runCli({"section", "--quiet", "--plane", "y=0.3", mesh});
+        QVERIFY2(text.out.contains(QStringLiteral("In the scene it is moved by")), qPrintable(text.out));
+    }
+
     void shotsAtAPlaceComeFromOutside() {
         const QString mesh = writeBytes(in("flat.obj"), sheetObj(0.0, 1.0));
         for (const char* place : {"0.3,0.3,0", "0.3,0.3,-2", "0.3,0.3,-500"}) {
