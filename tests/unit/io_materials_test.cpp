@@ -28,6 +28,8 @@ class MaterialsTest : public QObject {
 private Q_SLOTS:
     void init();
     void parsesMtl();
+    void findsNamesBehindOptions_data();
+    void findsNamesBehindOptions();
     void keepsDefaultsForWhatIsMissing();
     void fillsInTheMaterialsOfAnObj();
     void findsLibraries_data();
@@ -80,6 +82,40 @@ void MaterialsTest::parsesMtl() {
     QCOMPARE(materials[1].opacity, 0.25f);
     QCOMPARE(materials[1].diffuse.x, 1.0f);  // into [0, 1]
     QCOMPARE(materials[1].diffuse.y, 0.0f);
+}
+
+void MaterialsTest::findsNamesBehindOptions_data() {
+    QTest::addColumn<QByteArray>("line");
+    QTest::addColumn<QByteArray>("name");
+    const auto row = [](const char* line, const char* name = "x.png") {
+        QTest::newRow(line) << QByteArray(line) << QByteArray(name);
+    };
+    row("map_Kd x.png");
+    row("map_Kd -s 2 2 2 x.png");
+    row("map_Kd -s 2 2 x.png");
+    row("map_Kd -o 0.5 x.png");
+    row("map_Kd -t .1 1e-1 x.png");
+    row("map_Kd -s 0,5 0,5 0,5 x.png");
+    row("map_Kd -mm 0 1 x.png");
+    row("map_Kd\t-s\t2\t2\tx.png \t");
+    row("map_Kd -s 2 2 2 -o 0 0 -bm 1 t x.png", "t x.png");
+    row("map_Kd -clamp on -cc off -blendu off -imfchan r -texres 512 -s 2 x.png");
+    row("map_Kd -s 2 2 my -o 3 x.png", "my -o 3 x.png");
+    row("map_Kd -spot.png", "-spot.png");
+    row("map_Kd -s 1 1 2nd wood.png", "2nd wood.png");
+    row("map_Kd -s 1 1", "");
+}
+
+void MaterialsTest::findsNamesBehindOptions() {
+    QFETCH(QByteArray, line);
+    const std::string text = "newmtl a\n" + line.toStdString() + "\r\n";
+    QTEST(QByteArray::fromStdString(parseMtl(text).at(0).diffuseTexture), "name");
+    const std::string bump = "newmtl a\nbump -s 2 2 -bm 0.5 -o 1 x.png\nmap_Ks -s 2 shine.png\n";
+    QStringList others;
+    const NormalMap map = parseMtl(bump, &others).at(0).normalMap;
+    QCOMPARE(map.texture, std::string("x.png"));
+    QCOMPARE(map.strength, 0.5f);
+    QCOMPARE(others, (QStringList{QStringLiteral("shine.png"), QStringLiteral("x.png")}));
 }
 
 void MaterialsTest::keepsDefaultsForWhatIsMissing() {

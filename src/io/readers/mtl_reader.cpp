@@ -10,6 +10,7 @@
 #include <unordered_map>
 
 #include "io/file_scope.h"
+#include "io/mtl_lines.h"
 #include "io/readers/text_cursor.h"
 
 namespace hitscope {
@@ -47,6 +48,25 @@ std::vector<Given> givenOf(std::string_view text) {
         }
     }
     return given;
+}
+
+/// Releases of tinyobjloader take three words for numbers where fewer may be, the picture's name among them:
+/// of map lines they get what they cannot mistake.
+std::string withPlainMaps(std::string_view text) {
+    std::string plain;
+    plain.reserve(text.size());
+    for (TextCursor lines(text); !lines.atEnd();) {
+        const std::string_view line = lines.line();
+        if (const std::optional<MtlMap> map = mtlMapOf(line)) {
+            plain += map->keyword;
+            plain.append(map->bumps.empty() ? "" : " -bm ").append(map->bumps);
+            plain.append(" ").append(map->name);
+        } else {
+            plain += line;
+        }
+        plain += '\n';
+    }
+    return plain;
 }
 
 glm::vec3 colour(const tinyobj::real_t* c, bool given, const glm::vec3& otherwise) {
@@ -164,7 +184,7 @@ std::vector<Material> parseMtl(const std::string& text, QStringList* others) {
     std::vector<tinyobj::material_t> parsed;
     std::string warning;
     std::string error;
-    std::istringstream stream(unixText);
+    std::istringstream stream(withPlainMaps(unixText));
     tinyobj::LoadMtl(&index, &parsed, &stream, &warning, &error);
     const std::vector<Given> given = givenOf(unixText);
     std::vector<Material> materials;
