@@ -7,9 +7,11 @@
 #include <QFile>
 #include <QFileInfo>
 #include <algorithm>
+#include <optional>
 
 #include "io/export_names.h"
 #include "io/file_scope.h"
+#include "io/mtl_lines.h"
 #include "io/save_image.h"
 
 namespace hitscope {
@@ -37,12 +39,6 @@ unsigned modeOf(const QString& path) {
 }
 
 }  // namespace
-
-bool namesAPicture(const QByteArray& line) {
-    const QByteArray word = line.simplified().split(' ').value(0).toLower();
-    return word.startsWith("map_") || word == "bump" || word == "norm" || word == "disp" || word == "decal" ||
-           word == "refl";
-}
 
 bool hasMaterials(const QByteArray& library) {
     return library.startsWith("newmtl ") || library.contains("\nnewmtl ") || library.contains("\nnewmtl\t");
@@ -148,25 +144,17 @@ Result<std::vector<PlacedTextures>> MaterialFiles::placeTextures() {
     return placed;
 }
 
-/// A picture's name ends its line; options come before it.
 QByteArray MaterialFiles::withNewNames(const QByteArray& library) const {
     if (m_renamed.empty()) {
         return library;
     }
     QList<QByteArray> lines = library.split('\n');
     for (QByteArray& line : lines) {
-        qsizetype end = line.size();
-        while (end > 0 && std::isspace(static_cast<unsigned char>(line[end - 1])) != 0) {
-            --end;
-        }
-        for (const auto& [name, newName] : m_renamed) {
-            const qsizetype start = end - static_cast<qsizetype>(name.size());
-            if (start > 0 && namesAPicture(line) &&
-                line.mid(start, end - start) == QByteArray::fromStdString(name) &&
-                std::isspace(static_cast<unsigned char>(line[start - 1])) != 0) {
-                line.replace(start, end - start, QByteArray::fromStdString(newName));
-                break;
-            }
+        const std::optional<MtlMap> map = mtlMapOf({line.constData(), static_cast<std::size_t>(line.size())});
+        const auto renamed = map ? m_renamed.find(std::string(map->name)) : m_renamed.end();
+        if (renamed != m_renamed.end()) {
+            line.replace(map->name.data() - line.constData(), static_cast<qsizetype>(map->name.size()),
+                         QByteArray::fromStdString(renamed->second));
         }
     }
     return lines.join('\n');

@@ -24,8 +24,6 @@ struct ExportPlace {
     [[nodiscard]] bool isOwnFolder() const;
 };
 
-/// Whether a line of an MTL file begins with a word that names a picture.
-[[nodiscard]] bool namesAPicture(const QByteArray& line);
 /// Whether an MTL file defines any.
 [[nodiscard]] bool hasMaterials(const QByteArray& library);
 

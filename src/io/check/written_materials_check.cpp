@@ -11,6 +11,7 @@
 #include "io/export_files.h"
 #include "io/export_names.h"
 #include "io/file_scope.h"
+#include "io/mtl_lines.h"
 #include "io/staged_files.h"
 
 namespace hitscope {
@@ -41,8 +42,8 @@ QByteArray contentOf(const QString& path) {
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-QByteArray firstWord(const QByteArray& line) {
-    return line.simplified().split(' ').value(0);
+std::optional<MtlMap> mapOf(const QByteArray& line) {
+    return mtlMapOf({line.constData(), static_cast<std::size_t>(line.size())});
 }
 
 /// But for the names of pictures.
@@ -51,7 +52,12 @@ bool isCopy(const QByteArray& copy, const QByteArray& source) {
     const QList<QByteArray> meant = source.split('\n');
     return std::equal(is.begin(), is.end(), meant.begin(), meant.end(),
                       [](const QByteArray& a, const QByteArray& b) {
-                          return a == b || (namesAPicture(b) && firstWord(a) == firstWord(b));
+                          if (a == b) {
+                              return true;
+                          }
+                          const std::optional<MtlMap> map = mapOf(a);
+                          const std::optional<MtlMap> other = mapOf(b);
+                          return map && other && map->keyword == other->keyword;
                       });
 }
 
