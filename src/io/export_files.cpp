@@ -171,8 +171,13 @@ Result<std::string> MaterialFiles::placeLibrary(const QString& name) {
     if (!hasMaterials(own)) {
         return std::string();
     }
+    const QString wanted = placeBelow(name);
+    const auto known = m_placedLibraries.find({wanted, source});
+    if (known != m_placedLibraries.end()) {
+        return known->second;
+    }
     const QByteArray content = withNewNames(own);
-    const QString path = freePath(placeBelow(name), content);
+    const QString path = freePath(wanted, content);
     if (!QFileInfo::exists(path) && !m_staged.holds(path)) {
         const std::string_view bytes(content.constData(), static_cast<std::size_t>(content.size()));
         if (const Status added = m_staged.add(path, bytes, StagedFiles::Existing::Keep, modeOf(source));
@@ -180,7 +185,8 @@ Result<std::string> MaterialFiles::placeLibrary(const QString& name) {
             return added.error();
         }
     }
-    return QDir(m_place.folder).relativeFilePath(path).toStdString();
+    const std::string placed = QDir(m_place.folder).relativeFilePath(path).toStdString();
+    return m_placedLibraries.emplace(std::pair(wanted, source), placed).first->second;
 }
 
 Status MaterialFiles::placeLocated() {

@@ -5,6 +5,7 @@
 #include <QString>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/result.h"
@@ -73,6 +74,9 @@ private:
     std::map<QString, QString> m_placed;           ///< source of each picture that is placed, by its new path
     std::map<std::string, std::string> m_renamed;  ///< pictures that could not keep their names
     std::map<int, std::string> m_placedImages;     ///< each once, whatever number of materials use it
+    /// The name that each got, by the one it wants and its source: a file may name one for each of its
+    /// objects.
+    std::map<std::pair<QString, QString>, std::string> m_placedLibraries;
 };
 
 }  // namespace hitscope

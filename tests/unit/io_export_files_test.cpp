@@ -34,6 +34,7 @@ private Q_SLOTS:
     void keepsMetalnessAndRoughness();
     void overwritesNothingElse();
     void renamesThatPictureAlone();
+    void placesALibraryOnce();
     void leavesTexturesOfTheOwnFolderAlone();
     void writesEmbeddedPictures();
     void letsGoOfLargeReplacedFiles();
@@ -287,6 +288,32 @@ void ExportFilesTest::renamesThatPictureAlone() {
     QCOMPARE(filesIn("target"),
              (QStringList{QStringLiteral("m.mtl"), QStringLiteral("m.obj"), QStringLiteral("t x.png"),
                           QStringLiteral("x-1.png"), QStringLiteral("x.png")}));
+}
+
+void ExportFilesTest::placesALibraryOnce() {
+    writeFile(in("source"), QStringLiteral("m.mtl"), "newmtl a\nKd 1 0 0\n");
+    const std::string text =
+        "mtllib m.mtl\no A\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\nmtllib m.mtl\no B\nf 3 2 1\n";
+    const QString path = writeFile(in("source"), QStringLiteral("m.obj"), text);
+    const ImportedMesh original = read(path);
+    ObjExport what = exportOf(original.mesh, original.mesh.positions);
+    what.sourceFolder = in("source");
+    QVERIFY(exportObj(what, in("target/anew.obj")).ok());
+    what.sourcePath = path;
+    QVERIFY(exportObj(what, in("target/maps.obj")).ok());
+    QCOMPARE(readFile(in("target/maps.obj")), text);
+    QCOMPARE(filesIn("target"),
+             (QStringList{QStringLiteral("anew.obj"), QStringLiteral("m.mtl"), QStringLiteral("maps.obj")}));
+    QVERIFY(QFile::remove(in("target/m.mtl")));
+    QVERIFY(exportObj(what, in("target/maps.obj")).ok());  // not there yet
+    QCOMPARE(readFile(in("target/maps.obj")), text);
+    QCOMPARE(read(in("target/anew.obj")).mesh.materialLibraries, std::vector<std::string>{"m.mtl"});
+    // Of another content than the one that is there.
+    writeFile(in("target"), QStringLiteral("m.mtl"), "another library");
+    QVERIFY(exportObj(what, in("target/maps.obj")).ok());
+    QCOMPARE(read(in("target/maps.obj")).mesh.materialLibraries,
+             (std::vector<std::string>{"m-1.mtl", "m-1.mtl"}));
+    QCOMPARE(filesIn("target").size(), 4);
 }
 
 void ExportFilesTest::leavesTexturesOfTheOwnFolderAlone() {
