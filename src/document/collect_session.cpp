@@ -12,6 +12,7 @@
 
 #include "document/capture.h"
 #include "document/document_json.h"
+#include "io/file_scope.h"
 #include "io/staged_files.h"
 #include "mesh/missing_textures.h"
 #include "session/target_plan.h"
@@ -299,7 +300,7 @@ Result<QStringList> collectSession(SessionDocument document, const MeshesByPath&
         for (const std::string& texture : missingTextures(*mesh)) {
             notes << translated(QT_TRANSLATE_NOOP("hitscope::CollectSession",
                                                   "The texture “%1” of %2 is missing here too."))
-                         .arg(QString::fromStdString(texture), QFileInfo(path).fileName());
+                         .arg(fileNameText(texture), QFileInfo(path).fileName());
         }
     }
     const QString place = QDir::cleanPath(QFileInfo(folder).absoluteFilePath());

@@ -20,7 +20,7 @@ public:
     explicit References(const QString& meshPath) : m_folder(QFileInfo(meshPath).absolutePath()) {}
 
     void addLibraries(const std::string& line) {
-        for (const QString& name : librariesOnLine(m_folder, QString::fromStdString(line))) {
+        for (const QString& name : librariesOnLine(m_folder, fileNameText(line))) {
             addData(name);
         }
     }
@@ -56,7 +56,7 @@ References referencesIn(const QString& meshPath, const MeshData& mesh) {
         references.addLibraries(line);
     }
     for (const std::string& name : mesh.pictureFiles) {
-        references.addPicture(QString::fromStdString(name));
+        references.addPicture(fileNameText(name));
     }
     return references;
 }

@@ -72,6 +72,7 @@ private Q_SLOTS:
     void namesKeepTheirWay();
     void locatedTextures();
     void opensAnywhere();
+    void namesOfAnyBytes();
     void buffersOfGltf();
     void goneMeshesAreNamed();
     void changedMeshesAreNamed();
@@ -233,6 +234,24 @@ void CollectSessionTest::opensAnywhere() {
         QCOMPARE(mesh.images.size(), std::size_t{1});
         QVERIFY(mesh.materials[0].diffuse == m_session->targets()[i]->shape.mesh->materials[0].diffuse);
     }
+}
+
+/// In Latin-1, as older programs wrote them.
+void CollectSessionTest::namesOfAnyBytes() {
+    const std::string name =
+        "M\xf6"
+        "bel";
+    const QByteArray png = smallPng();
+    const std::string library = "newmtl a\nmap_Kd " + name + ".png\n";
+    write(QStringLiteral("l/Möbel.png"), png.toStdString());
+    write(QStringLiteral("l/Möbel.mtl"), library);
+    write(QStringLiteral("l/mesh.obj"), "mtllib " + name + ".mtl\nusemtl a\n" + kObj);
+    m_session->targets().add({plan(QStringLiteral("l/mesh.obj"))});
+    QCOMPARE(m_session->targets().back()->shape.mesh->images.size(), std::size_t{1});
+    const Result<QStringList> collected = collect();
+    QVERIFY2(collected.ok(), qPrintable(messageOf(collected)));
+    QCOMPARE(readFile(in(QStringLiteral("out/meshes/mesh/Möbel.mtl"))), library);
+    QCOMPARE(readFile(in(QStringLiteral("out/meshes/mesh/Möbel.png"))), png.toStdString());
 }
 
 void CollectSessionTest::buffersOfGltf() {
