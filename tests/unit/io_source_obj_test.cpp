@@ -176,6 +176,12 @@ void SourceObjTest::replacesNormals_data() {
     QTest::addRow("counted from the end")
         << vertices + "vn 0 0 1\nf -6//-1 2//-1 3//-1\nf 4//1 5//1 6//-1"
         << vertices + "vn 0 0 1\nf -6//2 2//-1 3//-1\nf 4//1 5//1 6//-1\nvn 1 0 0\n";
+    for (const char* const end : {"", "\n"}) {
+        const QByteArray cut = "f 4//1 5//1 6//-1 \\";  // would go on with the line that is added
+        QTest::addRow("counted from the end, continued, and %d line ends", *end == 0 ? 0 : 1)
+            << vertices + "vn 0 0 1\nf -6//-1 2//-1 3//-1\n" + cut + end
+            << vertices + "vn 0 0 1\nf -6//2 2//-1 3//-1\n" + cut + "\n\nvn 1 0 0\n";
+    }
     QTest::addRow("beside one that is not there")
         << vertices + "vn 0 0 1\nf 1//1 2//2 3//1\nf 4//1 5//7 6//\n"
         << vertices + "vn 0 0 1\nvn 1 0 0\nf 1//2 2 3//1\nf 4//1 5 6\n";

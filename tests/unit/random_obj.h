@@ -51,7 +51,7 @@ inline std::string randomObj(std::mt19937& random) {
         }
         text += lineEnd;
     }
-    text += "f 1 2 3" + pick({"", lineEnd.c_str()});
+    text += "f 1 2 3" + pick({"", "", " \\"}) + pick({"", lineEnd.c_str()});
     return text;
 }
 

@@ -29,6 +29,7 @@ struct Range {
     std::uint64_t afterNormals = 0;
     std::uint64_t firstFace = 0;  // its end: none
     bool hasRelativeNormals = false;
+    bool endsContinued = false;
     bool isRead = true;
 };
 
@@ -184,6 +185,7 @@ void Indexer::takeLines(Range& range, std::string& text, std::uint64_t& textStar
         take(range, part, std::string_view(text).substr(line.start, line.end - line.start),
              textStart + line.start);
         done = line.end;
+        range.endsContinued = lines.wantsMore();
         if (done - begin >= kPart) {
             endPart();
         }
@@ -245,6 +247,7 @@ std::optional<ObjIndex> Indexer::index() {
         m_index.parts.insert(m_index.parts.end(), range.parts.begin(), range.parts.end());
         m_index.hasRelativeNormals = m_index.hasRelativeNormals || range.hasRelativeNormals;
         m_index.afterNormals = std::max(m_index.afterNormals, range.afterNormals);
+        m_index.endsContinued = range.parts.empty() ? m_index.endsContinued : range.endsContinued;
         if (range.firstFace < range.end) {
             m_index.firstFace = std::min(m_index.firstFace, range.firstFace);
         }

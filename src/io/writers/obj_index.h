@@ -31,6 +31,7 @@ struct ObjIndex {
     std::uint64_t firstFace = 0;      ///< byte at which the first face starts; the file's size: none
     bool hasRelativeNormals = false;  ///< a face may count its normals from the end
     bool endsInLine = false;          ///< the last line has no end
+    bool endsContinued = false;       ///< the last line would go on with what comes behind it
     std::uint64_t size = 0;           ///< bytes
 };
 

@@ -18,6 +18,7 @@ bool ObjLines::next(TextRange& line) {
             --last;
         }
         if (last == begin || m_text[last - 1] != '\\') {
+    m_wantsMore = false;
             break;
         }
     }
@@ -31,6 +32,7 @@ bool ObjWords::isContinued(std::size_t at) const {
         if (m_line[at] == m_lineEnd) {
             return true;
         }
+        m_wantsMore = m_at == m_text.size();
     }
     return at == m_line.size();
 }

@@ -31,10 +31,13 @@ public:
     /// The next line with its end; false where there is none.
     bool next(TextRange& line);
 
+    /// Whether the line that next() gave ends with the text and a backslash: another would continue it.
+    [[nodiscard]] bool wantsMore() const { return m_wantsMore; }
 private:
     std::string_view m_text;
     std::size_t m_at = 0;
     char m_lineEnd;
+    bool m_wantsMore = false;
 };
 
 /// Goes through the words of one line: what stands between blanks and continued line ends.

@@ -130,8 +130,9 @@ bool ObjPatcher::changes(std::size_t p) const {
 }
 
 void ObjPatcher::appendAdded(std::size_t piece, TextBuffer& out) const {
-    if (piece == 0 && m_addAt == m_index.size && m_index.endsInLine) {
-        out.append(m_index.newLine);
+    if (piece == 0 && m_addAt == m_index.size) {
+        out.append(m_index.endsInLine ? m_index.newLine : "");
+        out.append(m_index.endsContinued ? m_index.newLine : "");  // an empty line continues it
     }
     const std::span<const glm::vec3> all = m_normals.added;
     const std::size_t first = piece * kAddedAtOnce;
