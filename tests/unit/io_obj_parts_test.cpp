@@ -34,6 +34,7 @@ std::string longText() {
             const std::string c = std::to_string(v - 2);
             text += "f " + c + "/" + c + "/1 " + n + "//2 1/2 " + (v % 3 == 0 ? "705\n" : "2\n");
         }
+        text += v % 60 == 7 ? "# C:\\parts\\\n" : "";
         text += v % 90 == 10 ? "l 1 2 3\np 4\nf 1 2\n" : "";
     }
     return text;

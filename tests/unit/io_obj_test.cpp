@@ -136,6 +136,8 @@ void ObjTest::understandsLineEnds_data() {
     QTest::newRow("blanks") << QByteArray("\n  v 0\t0 0  \n\n v 1 0 0 \nv 0 1 0\t\nf  1  2  3 \n \n");
     QTest::newRow("continued") << QByteArray("v 0 0 \\\n 0\nv 1 0 0\nv 0 1 0\nf 1 \\\r\n2 \\\n3\n");
     QTest::newRow("byte order mark") << QByteArray("\xEF\xBB\xBFv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    QTest::newRow("folders in comments") << QByteArray(
+        "# C:\\models\\\r\nv 0 0 0\r\n \t# C:\\ \r\nv 1 0 0\r\nv 0 1 \\\n0\r\n#\\\r\nf 1 2 3\r\n# \\");
     QTest::newRow("comments") << QByteArray("# v 5 5 5\nv 0 0 0 # first\nv 1 0 0\nv 0 1 0\nf 1 2 3 #4\n");
 }
 

@@ -146,7 +146,7 @@ void SourceObjTest::replacesWhatChanged() {
     const QByteArray tail = "v 0 0 1\nv 3 3 3\nf 1 2 3\nf 1 2\nf 2 3 4 # face\n";
     const Exported moved =
         exported((head + before + tail).toStdString(),
-                 [](MeshData& mesh, std::vector<glm::vec3>&) { mesh.positions[1].y = 7.5f; });
+                 [](MeshData& mesh, std::vector<glm::vec3>&) { mesh.positions[2].y = 7.5f; });
     QCOMPARE(QByteArray::fromStdString(moved.text), head + after + tail);
 }
 
@@ -317,13 +317,8 @@ void SourceObjTest::copiesLargeFiles() {
 
 void SourceObjTest::isRightForAnyFile() {
     std::mt19937 random(7);
-    int tried = 0;
-    while (tried < 150) {
+    for (int tried = 0; tried < 150; ++tried) {
         const std::string text = randomObj(random);
-        if (!readMesh(writeFile(m_folder->path(), QStringLiteral("any.obj"), text), {})) {
-            continue;  // a comment that goes on took vertices away
-        }
-        ++tried;
         QCOMPARE(QByteArray::fromStdString(exported(text).text), QByteArray::fromStdString(text));
         MeshData wanted;
         std::vector<glm::vec3> normals;

@@ -17,17 +17,27 @@ std::string_view trimEnd(std::string_view line) {
     return line;
 }
 
+/// A comment is over at its line's end: it may name a folder of Windows.
+bool isContinued(std::string_view line) {
+    if (line.empty() || line.back() != '\\') {
+        return false;
+    }
+    TextCursor start(line);
+    start.skipBlanks();
+    return start.peek() != '#';
+}
+
 }  // namespace
 
 /// A line without its end, continued lines joined; counts lines.
 std::string_view ObjParser::nextLine(TextCursor& text) {
     ++m_line;
     std::string_view line = trimEnd(text.line());
-    if (line.empty() || line.back() != '\\') {
+    if (!isContinued(line)) {
         return line;
     }
     m_joined.clear();
-    while (!line.empty() && line.back() == '\\') {
+    while (isContinued(line)) {
         m_joined.append(line.substr(0, line.size() - 1));
         m_joined += ' ';
         if (text.atEnd()) {

@@ -4,9 +4,21 @@
 #include <cstring>
 
 namespace hitscope {
+namespace {
+
+bool isComment(std::string_view line) {
+    std::size_t first = 0;
+    while (first < line.size() && isSpace(line[first])) {
+        ++first;
+    }
+    return first < line.size() && line[first] == '#';
+}
+
+}  // namespace
 
 bool ObjLines::next(TextRange& line) {
     line.start = m_at;
+    m_wantsMore = false;
     while (m_at < m_text.size()) {
         const std::size_t begin = m_at;
         const void* const found = std::memchr(m_text.data() + begin, m_lineEnd, m_text.size() - begin);
@@ -17,10 +29,10 @@ bool ObjLines::next(TextRange& line) {
         while (last > begin && isSpace(m_text[last - 1])) {
             --last;
         }
-        if (last == begin || m_text[last - 1] != '\\') {
-    m_wantsMore = false;
+        if (last == begin || m_text[last - 1] != '\\' || isComment(m_text.substr(begin, last - begin))) {
             break;
         }
+        m_wantsMore = m_at == m_text.size();
     }
     line.end = m_at;
     return line.end > line.start;
@@ -32,7 +44,6 @@ bool ObjWords::isContinued(std::size_t at) const {
         if (m_line[at] == m_lineEnd) {
             return true;
         }
-        m_wantsMore = m_at == m_text.size();
     }
     return at == m_line.size();
 }

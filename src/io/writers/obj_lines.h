@@ -21,8 +21,9 @@ inline bool isSpace(char c) {
     return c == ' ' || (c >= '\t' && c <= '\r');
 }
 
-/// Goes through the lines of an OBJ file as its reader does (readers/obj_reader.cpp): those that a backslash
-/// continues are one. It changes nothing, so that what it gives can be found in the file.
+/// Goes through the lines of an OBJ file as its reader does (readers/obj_parser.cpp): those that a backslash
+/// continues are one; comments go to their line's end. It changes nothing, so that what it gives can be found
+/// in the file.
 class ObjLines {
 public:
     /// lineEnd: '\n', or '\r' for files of old Macs.
@@ -30,14 +31,14 @@ public:
 
     /// The next line with its end; false where there is none.
     bool next(TextRange& line);
-
     /// Whether the line that next() gave ends with the text and a backslash: another would continue it.
     [[nodiscard]] bool wantsMore() const { return m_wantsMore; }
+
 private:
     std::string_view m_text;
     std::size_t m_at = 0;
-    char m_lineEnd;
     bool m_wantsMore = false;
+    char m_lineEnd;
 };
 
 /// Goes through the words of one line: what stands between blanks and continued line ends.
