@@ -89,6 +89,7 @@ void ObjPartsTest::comeToTheSameError_data() {
     QTest::addRow("a word") << "v 1 two 3\n";
     QTest::addRow("a vertex that never comes") << "f 1 2 99999\nf 1 2 99998\n";
     QTest::addRow("before the first") << "f 1 2 -99999\n";
+    QTest::addRow("a line that another hides") << "v 0 0 0\rv 1 1 1\n";
     QTest::addRow("cut off") << "f 1 2";
 }
 

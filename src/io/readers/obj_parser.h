@@ -73,7 +73,7 @@ private:
     void useMaterial(std::string_view name);
     std::uint32_t vertexIndex(long long written, const char* of);
     std::uint32_t otherIndex(long long written, std::size_t count) const;
-    [[nodiscard]] Error errorHere(const std::string& what) const;
+    [[nodiscard]] Error errorHere(std::string_view line, const std::string& what) const;
 
     std::string_view m_text;
     bool m_isWhole;
