@@ -94,6 +94,7 @@ private Q_SLOTS:
     void readsColoursOfAnyType();
     void readsFaceTexcoords();
     void leavesOutSmallFaces();
+    void notesWhatFollows();
     void refuses_data();
     void refuses();
     void refusesEveryTruncation();
@@ -224,6 +225,24 @@ void PlyTest::leavesOutSmallFaces() {
     QVERIFY(result.value().notes.at(0).startsWith(QStringLiteral("2 faces with fewer than three corners")));
 }
 
+void PlyTest::notesWhatFollows() {
+    const QStringList note{
+        QStringLiteral("The file goes on after what its header names; the rest was not read.")};
+    const auto notesOf = [](const std::string& file) {
+        const Result<ImportedMesh> result = parsePly(file);
+        return result ? result.value().notes : QStringList{messageOf(result)};
+    };
+    const std::string ascii = asciiPly("3", "1", "0 0 0\n1 0 0\n0 1 0\n3 0 1 2");
+    QCOMPARE(notesOf(ascii), QStringList());
+    QCOMPARE(notesOf(ascii + "\r\n \n\n"), QStringList());
+    QCOMPARE(notesOf(ascii + "\n3 0 1 2\n"), note);
+    for (const bool big : {false, true}) {
+        QCOMPARE(notesOf(binaryPly(big)), QStringList());
+        QCOMPARE(notesOf(binaryPly(big) + std::string(3, '\0') + "\n"), QStringList());
+        QCOMPARE(notesOf(binaryPly(big) + std::string("\0\0\1\0", 4)), note);
+    }
+}
+
 void PlyTest::refuses_data() {
     QTest::addColumn<QByteArray>("file");
     QTest::addColumn<QString>("message");
@@ -241,6 +260,10 @@ void PlyTest::refuses_data() {
     row("float list length", "ply\nformat ascii 1.0\nelement face 1\nproperty list float int a\nend_header\n",
         "line 4");
     row("negative count", asciiPly("-1", "1", ""), "line 3");
+    row("count no whole number", asciiPly("3.9", "1", "0 0 0\n"), "line 3: \"element vertex 3.9\" is not");
+    row("count with an exponent", asciiPly("3e0", "1", "0 0 0\n"), "line 3: \"element vertex 3e0\" is not");
+    row("list length no whole number", asciiPly("1", "1", "0 0 0\n3.5 0 0 0\n"),
+        "face 1: The length of a list is no whole number");
     row("huge vertex count", asciiPly("4000000000", "1", "0 0 0\n"), "promises 4000000000 of \"vertex\"");
     row("huger vertex count", asciiPly("18446744073709551615", "1", "0 0 0\n"), "of \"vertex\"");
     row("huge face count", asciiPly("1", "99999999", "0 0 0\n"), "promises 99999999 of \"face\"");

@@ -18,6 +18,7 @@ public:
 
 private:
     bool nextLine();
+    std::optional<long long> wholeNumber();
     Status parseKind();
     Status parseCounts();
     Status parseVertex();
@@ -59,6 +60,13 @@ bool OffParser::nextLine() {
     return false;
 }
 
+/// Nothing if what comes next on the line is none.
+std::optional<long long> OffParser::wholeNumber() {
+    m_at.skipBlanks();
+    const std::optional<long long> number = m_at.integer();
+    return m_at.atEnd() || TextCursor::isBlank(m_at.peek()) ? number : std::nullopt;
+}
+
 /// "OFF" with letters before it that say what a vertex has. The counts may follow on the same line, and the
 /// word may be missing.
 Status OffParser::parseKind() {
@@ -98,9 +106,8 @@ Status OffParser::parseKind() {
 }
 
 Status OffParser::parseCounts() {
-    const std::optional<long long> vertices = m_at.integer();
-    m_at.skipBlanks();
-    const std::optional<long long> faces = m_at.integer();
+    const std::optional<long long> vertices = wholeNumber();
+    const std::optional<long long> faces = wholeNumber();
     if (!vertices || !faces || *vertices < 0 || *faces < 0) {
         return wrong("Here should be the numbers of vertices and faces.");
     }
@@ -155,16 +162,18 @@ Status OffParser::parseVertex() {
 }
 
 Status OffParser::parseFace() {
-    const long long corners = m_at.integer().value_or(-1);
+    const long long corners = wholeNumber().value_or(-1);
     if (corners < 0) {
         return wrong("A face begins with the number of its corners.");
     }
     const std::size_t first = m_mesh.cornerVertices.size();
     for (long long c = 0; c < corners; ++c) {
         m_at.skipBlanks();
-        const std::optional<long long> vertex = m_at.integer();
+        const bool isThere = !m_at.atEnd();
+        const std::optional<long long> vertex = wholeNumber();
         if (!vertex) {
-            return wrong("The face has fewer corners than it says.");
+            return wrong(isThere ? "A corner of the face is no whole number."
+                                 : "The face has fewer corners than it says.");
         }
         if (*vertex < 0 || *vertex >= static_cast<long long>(m_vertices)) {
             return wrong("The face refers to vertex " + std::to_string(*vertex) +
@@ -207,6 +216,9 @@ void OffParser::finish() {
     if (m_smallFaces > 0) {
         m_imported.notes += counted(m_smallFaces, "face with fewer than three corners was left out.",
                                     "faces with fewer than three corners were left out.");
+    }
+    if (nextLine()) {
+        m_imported.notes += QStringLiteral("The file goes on after its last face; the rest was not read.");
     }
     tidy(m_imported);
 }

@@ -46,7 +46,8 @@ bool parseElement(TextCursor& line, PlyHeader& header) {
     element.name = line.word();
     line.skipBlanks();
     const std::optional<long long> count = line.integer();
-    if (element.name.empty() || !count || *count < 0) {
+    const bool isWholeNumber = line.atEnd() || TextCursor::isBlank(line.peek());
+    if (element.name.empty() || !count || *count < 0 || !isWholeNumber) {
         return false;
     }
     element.count = static_cast<std::uint64_t>(*count);

@@ -94,6 +94,9 @@ std::uint64_t PlyParser<Source>::listLength(const PlyProperty& property) {
     if (!(length >= 0.0)) {
         throw BadElement("A list has a negative length");
     }
+    if (length != std::floor(length)) {
+        throw BadElement("The length of a list is no whole number");
+    }
     if (length > static_cast<double>(m_source.room(property.type))) {
         throw PlyDataEnd("The file ends");
     }
@@ -365,6 +368,10 @@ Result<ImportedMesh> PlyParser<Source>::parse() {
     if (m_smallFaces > 0) {
         m_imported.notes += counted(m_smallFaces, "face with fewer than three corners was left out.",
                                     "faces with fewer than three corners were left out.");
+    }
+    if (holdsMore(m_source.rest())) {
+        m_imported.notes +=
+            QStringLiteral("The file goes on after what its header names; the rest was not read.");
     }
     tidy(m_imported);
     return std::move(m_imported);

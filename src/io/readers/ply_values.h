@@ -18,6 +18,12 @@ struct PlyDataEnd : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// Whether data follow those that were read: blanks and zeros only fill a file up.
+inline bool holdsMore(std::string_view rest) {
+    return std::any_of(rest.begin(), rest.end(),
+                       [](char c) { return c != '\0' && c != '\n' && !TextCursor::isBlank(c); });
+}
+
 /// Numbers of an ascii PLY's data, one after the other.
 class PlyAsciiSource {
 public:
@@ -39,7 +45,8 @@ public:
             value(type);
         }
     }
-    [[nodiscard]] std::uint64_t bytesLeft() const { return m_cursor.rest().size(); }
+    [[nodiscard]] std::string_view rest() const { return m_cursor.rest(); }
+    [[nodiscard]] std::uint64_t bytesLeft() const { return rest().size(); }
     /// Values of a type that the data left can hold at most.
     [[nodiscard]] std::uint64_t room(PlyType) const { return bytesLeft() / 2 + 1; }
 
@@ -79,6 +86,7 @@ public:
         }
         m_data.remove_prefix(count * sizeOf(type));
     }
+    [[nodiscard]] std::string_view rest() const { return m_data; }
     [[nodiscard]] std::uint64_t bytesLeft() const { return m_data.size(); }
     [[nodiscard]] std::uint64_t room(PlyType type) const { return m_data.size() / sizeOf(type); }
 
