@@ -50,7 +50,13 @@ void StlTest::weldsEqualPositions_data() {
     QTest::addColumn<QByteArray>("file");
     QTest::newRow("binary") << QByteArray::fromStdString(binaryStl());
     QTest::newRow("binary that says solid") << QByteArray::fromStdString(binaryStl("solid made by a test"));
+    QTest::newRow("binary that says SOLID, with more behind")
+        << QByteArray::fromStdString(binaryStl("SOLID made by a test") + "more");
     QTest::newRow("ascii") << QByteArray(kAscii);
+    QTest::newRow("capitals") << QByteArray(kAscii).toUpper();
+    QTest::newRow("some capitals")
+        << QByteArray(kAscii).replace("vertex", "VERTEX").replace("solid", "Solid");
+    QTest::newRow("byte order mark") << "\xEF\xBB\xBF" + QByteArray(kAscii);
 }
 
 void StlTest::weldsEqualPositions() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/readers/stl_reader.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -39,14 +40,28 @@ std::uint32_t promisedFacets(std::string_view file) {
     return facets;
 }
 
+std::string_view withoutMark(std::string_view text) {
+    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+    return text.starts_with(kByteOrderMark) ? text.substr(kByteOrderMark.size()) : text;
+}
+
+/// Some programs write them in capitals.
+bool isKeyword(std::string_view word, std::string_view keyword) {
+    constexpr unsigned kSmall = 0x20;  // the bit in which letters differ
+    return std::equal(word.begin(), word.end(), keyword.begin(), keyword.end(), [](char a, char b) {
+        return (static_cast<unsigned char>(a) | kSmall) == static_cast<unsigned char>(b);
+    });
+}
+
 /// Some programs begin binary files with "solid" too: what decides is whether the size fits.
 bool isBinary(std::string_view file) {
     if (file.size() >= kStart && file.size() == kStart + kFacetSize * std::size_t{promisedFacets(file)}) {
         return true;
     }
-    TextCursor text(file.substr(0, 1024));
+    constexpr std::string_view kStartOfText = "solid";
+    TextCursor text(withoutMark(file).substr(0, 1024));
     text.skipBlanks(true);
-    if (!text.rest().starts_with("solid")) {
+    if (!isKeyword(text.rest().substr(0, kStartOfText.size()), kStartOfText)) {
         return true;
     }
     return text.rest().find('\0') != std::string_view::npos;
@@ -152,18 +167,20 @@ void AsciiParser::endLoop() {
 Status AsciiParser::parseLine(std::string_view text) {
     TextCursor line(text);
     const std::string_view keyword = line.word();
-    if (keyword == "vertex") {
+    if (isKeyword(keyword, "vertex")) {
         return parseVertex(line);
     }
-    if (keyword == "outer") {
+    if (isKeyword(keyword, "outer")) {
         m_inLoop = true;
-    } else if (keyword == "endloop") {
+    } else if (isKeyword(keyword, "endloop")) {
         endLoop();
-    } else if (keyword == "facet" || keyword == "endfacet") {
-        m_inFacet = keyword == "facet";
-    } else if (keyword == "endsolid") {
+    } else if (isKeyword(keyword, "facet")) {
+        m_inFacet = true;
+    } else if (isKeyword(keyword, "endfacet")) {
+        m_inFacet = false;
+    } else if (isKeyword(keyword, "endsolid")) {
         m_inSolid = false;
-    } else if (keyword == "solid") {
+    } else if (isKeyword(keyword, "solid")) {
         m_inSolid = true;
         line.skipBlanks();
         std::string name(line.rest());
@@ -207,7 +224,7 @@ Result<ImportedMesh> AsciiParser::parse() {
 
 Result<ImportedMesh> parseStl(std::string_view file, const ProgressSink& progress) {
     Result<ImportedMesh> parsed =
-        isBinary(file) ? parseBinary(file, progress) : AsciiParser(file, progress).parse();
+        isBinary(file) ? parseBinary(file, progress) : AsciiParser(withoutMark(file), progress).parse();
     if (parsed) {
         placeIfExtreme(parsed.value());
     }
