@@ -151,7 +151,10 @@ QByteArray MaterialFiles::withNewNames(const QByteArray& library) const {
     QList<QByteArray> lines = library.split('\n');
     for (QByteArray& line : lines) {
         const std::optional<MtlMap> map = mtlMapOf({line.constData(), static_cast<std::size_t>(line.size())});
-        const auto renamed = map ? m_renamed.find(std::string(map->name)) : m_renamed.end();
+        auto renamed = map ? m_renamed.find(std::string(map->name)) : m_renamed.end();
+        if (map && renamed == m_renamed.end()) {  // of a kind that is not drawn, known by its text
+            renamed = m_renamed.find(fileNameText(std::string(map->name)).toStdString());
+        }
         if (renamed != m_renamed.end()) {
             line.replace(map->name.data() - line.constData(), static_cast<qsizetype>(map->name.size()),
                          QByteArray::fromStdString(renamed->second));

@@ -271,23 +271,25 @@ void ExportFilesTest::overwritesNothingElse() {
 
 /// Not another one whose name ends in its name.
 void ExportFilesTest::renamesThatPictureAlone() {
-    for (const char* const name : {"x.png", "t x.png"}) {
+    for (const char* const name : {"x.png", "t x.png", "\xe4.png"}) {
         writeFile(in("source"), QString::fromLatin1(name), smallPng().toStdString());
     }
+    writeFile(in("target"), QStringLiteral("ä.png"), "another picture");
     writeFile(in("target"), QStringLiteral("x.png"), "another picture");
     const std::string begin = "newmtl a\r\nmap_Kd -s 2 2 t x.png\r\nnewmtl b\r\nmap_Kd -o 0.5 ";
     const std::string middle = "\r\nmap_Ks -s 1 1 ";
-    writeFile(in("source"), QStringLiteral("m.mtl"), begin + "x.png" + middle + "x.png");
+    writeFile(in("source"), QStringLiteral("m.mtl"), begin + "x.png" + middle + "\xe4.png");
     const ImportedMesh original =
         read(writeFile(in("source"), QStringLiteral("m.obj"),
                        "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\nusemtl b\nf 3 2 1\n"));
     ObjExport what = exportOf(original.mesh, original.mesh.positions);
     what.sourceFolder = in("source");
     QVERIFY(exportObj(what, in("target/m.obj")).ok());
-    QCOMPARE(readFile(in("target/m.mtl")), begin + "x-1.png" + middle + "x-1.png");
+    QCOMPARE(readFile(in("target/m.mtl")), begin + "x-1.png" + middle + "ä-1.png");
     QCOMPARE(filesIn("target"),
              (QStringList{QStringLiteral("m.mtl"), QStringLiteral("m.obj"), QStringLiteral("t x.png"),
-                          QStringLiteral("x-1.png"), QStringLiteral("x.png")}));
+                          QStringLiteral("x-1.png"), QStringLiteral("x.png"), QStringLiteral("ä-1.png"),
+                          QStringLiteral("ä.png")}));
 }
 
 void ExportFilesTest::placesALibraryOnce() {
