@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QStringDecoder>
 #include <QStringList>
+#include <QUrl>
 
 namespace hitscope {
 
@@ -28,6 +29,11 @@ QString resolveInside(const QString& folder, const QString& name) {
     return found.startsWith(prefix) && info.isFile() && info.isReadable() ? found : QString();
 }
 
+QString resolveUri(const QString& folder, const QString& uri) {
+    const QString direct = resolveInside(folder, uri);
+    return direct.isEmpty() ? resolveInside(folder, QUrl::fromPercentEncoding(uri.toUtf8())) : direct;
+}
+
 QString resolveTexture(const QString& folder, const QString& name) {
     QString direct = resolveInside(folder, name);
     if (!direct.isEmpty()) {
@@ -36,6 +42,12 @@ QString resolveTexture(const QString& folder, const QString& name) {
     QString local = name;
     local.replace(QLatin1Char('\\'), QLatin1Char('/'));
     return resolveInside(folder, QFileInfo(local).fileName());
+}
+
+QString textureOfUri(const QString& folder, const QString& uri) {
+    const QString decoded = QUrl::fromPercentEncoding(uri.toUtf8());
+    const bool isMeant = resolveTexture(folder, uri).isEmpty() && !resolveTexture(folder, decoded).isEmpty();
+    return isMeant ? decoded : uri;
 }
 
 QStringList librariesOnLine(const QString& folder, const QString& line) {

@@ -19,9 +19,16 @@ inline constexpr qint64 kMaxLibraryBytes = 64 << 20;     ///< of one MTL file
 /// file names other files, and must not be able to name any file of the person's.
 [[nodiscard]] QString resolveInside(const QString& folder, const QString& name);
 
+/// The same for the URI of a glTF file, whose blanks and letters beyond ASCII are written as "%20": as it is
+/// written, for those who do not know that; decoded otherwise.
+[[nodiscard]] QString resolveUri(const QString& folder, const QString& uri);
+
 /// The same for a texture: files from other machines name "C:\textures\wood.png", and the file of that name
 /// in `folder` is meant.
 [[nodiscard]] QString resolveTexture(const QString& folder, const QString& name);
+
+/// The name of a texture that a glTF file names by a URI: decoded if only so a file is found.
+[[nodiscard]] QString textureOfUri(const QString& folder, const QString& uri);
 
 /// The file names of an MTL line, which may hold one name with blanks in it, or several names.
 [[nodiscard]] QStringList librariesOnLine(const QString& folder, const QString& line);

@@ -8,6 +8,7 @@
 
 #include <QFile>
 #include <QFileInfo>
+#include <QUrl>
 #include <memory>
 
 #include "io/file_scope.h"
@@ -17,8 +18,8 @@ namespace {
 
 class FolderFiles : public Assimp::IOSystem {
 public:
-    explicit FolderFiles(QString file)
-        : m_file(std::move(file)), m_folder(QFileInfo(m_file).absolutePath()) {}
+    FolderFiles(QString file, bool namesAreUris)
+        : m_file(std::move(file)), m_folder(QFileInfo(m_file).absolutePath()), m_namesAreUris(namesAreUris) {}
 
     bool Exists(const char* name) const override;
     [[nodiscard]] char getOsSeparator() const override { return '/'; }
@@ -31,17 +32,27 @@ private:
 
     QString m_file;
     QString m_folder;
+    bool m_namesAreUris;
 };
 
 }  // namespace
 
-std::unique_ptr<Assimp::IOSystem> makeFolderFiles(const QString& file) {
-    return std::make_unique<FolderFiles>(file);
+std::unique_ptr<Assimp::IOSystem> makeFolderFiles(const QString& file, bool namesAreUris) {
+    return std::make_unique<FolderFiles>(file, namesAreUris);
 }
 
 QString FolderFiles::find(const char* name) const {
     const QString wanted = QString::fromUtf8(name);
-    return wanted == m_file ? m_file : resolveInside(m_folder, wanted);
+    if (wanted == m_file) {
+        return m_file;
+    }
+    const QString direct = resolveInside(m_folder, wanted);
+    if (!direct.isEmpty() || !m_namesAreUris || !wanted.startsWith(m_folder)) {
+        return direct;
+    }
+    // Assimp puts the folder before the name; it may have a percent sign of its own.
+    const QByteArray uri = wanted.mid(m_folder.size()).toUtf8();
+    return resolveInside(m_folder, m_folder + QUrl::fromPercentEncoding(uri));
 }
 
 bool FolderFiles::Exists(const char* name) const {

@@ -10,6 +10,7 @@
 #include <string>
 #include <unordered_map>
 
+#include "io/file_scope.h"
 #include "io/readers/textures.h"
 
 namespace hitscope {
@@ -204,6 +205,20 @@ void convertMaterials(const aiScene& scene, ImportedMesh& imported) {
         pictures.take(material, "normal map", material.normalMap.texture, material.normalMap.image);
         MetalRoughness& metal = material.metalRoughness;
         pictures.take(material, "map of metalness and roughness", metal.texture, metal.image);
+    }
+}
+
+void nameTexturesOfUris(const QString& folder, MeshData& mesh) {
+    const auto rename = [&folder](std::string& texture) {
+        const QString uri = fileNameText(texture);
+        if (const QString name = textureOfUri(folder, uri); name != uri) {
+            texture = name.toStdString();
+        }
+    };
+    for (Material& material : mesh.materials) {
+        rename(material.diffuseTexture);
+        rename(material.normalMap.texture);
+        rename(material.metalRoughness.texture);
     }
 }
 

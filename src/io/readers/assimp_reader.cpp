@@ -337,7 +337,8 @@ Result<ImportedMesh> readWithAssimp(const QString& path, std::string_view conten
     }
     Assimp::Importer importer;
     keepReadersOf(suffix, importer);
-    importer.SetIOHandler(makeFolderFiles(info.absoluteFilePath()).release());  // the importer deletes it
+    const bool isGltf = suffix == "gltf" || suffix == "glb";
+    importer.SetIOHandler(makeFolderFiles(info.absoluteFilePath(), isGltf).release());  // it deletes that
     importer.SetProgressHandler(new Progress(progress));
     const aiScene* const scene = importer.ReadFile(info.absoluteFilePath().toUtf8().constData(), 0);
     if (!scene || !scene->mRootNode) {
@@ -356,7 +357,6 @@ Result<ImportedMesh> readWithAssimp(const QString& path, std::string_view conten
     if (const Status checked = checkAfter(*scene, promised.value()); !checked) {
         return checked.error();
     }
-    const bool isGltf = suffix == "gltf" || suffix == "glb";
     ImportedMesh imported;
     SceneMerger merger(*scene, imported,
                        {.weld = suffix == "fbx" || suffix == "3ds" || suffix == "dae", .morph = isGltf});
@@ -367,6 +367,9 @@ Result<ImportedMesh> readWithAssimp(const QString& path, std::string_view conten
         turnColoursToSrgb(imported.mesh);
     }
     convertMaterials(*scene, imported);
+    if (isGltf) {
+        nameTexturesOfUris(info.absolutePath(), imported.mesh);
+    }
     dropAddedMaterial(imported.mesh);
     noteWhatIsLeftOut(*scene, merger.hasMorphed(), imported);
     tidy(imported);

@@ -6,7 +6,6 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QUrl>
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -169,10 +168,8 @@ std::uint64_t Check::bytesThere(const QJsonObject& buffer) const {
     if (uri.isEmpty() || uri.startsWith(QLatin1String("data:"))) {
         return m_fileSize;
     }
-    for (const QString& name : {uri, QUrl::fromPercentEncoding(uri.toUtf8())}) {
-        if (const QString path = resolveInside(m_folder, name); !path.isEmpty()) {
-            return std::max(m_fileSize, static_cast<std::uint64_t>(QFileInfo(path).size()));
-        }
+    if (const QString path = resolveUri(m_folder, uri); !path.isEmpty()) {
+        return std::max(m_fileSize, static_cast<std::uint64_t>(QFileInfo(path).size()));
     }
     return m_fileSize;  // it is not there, or outside: Assimp says so
 }
