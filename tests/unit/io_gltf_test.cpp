@@ -13,6 +13,46 @@ namespace hitscope::io_gltf_test {
 
 using namespace test;
 
+namespace {
+
+QJsonObject members(const char* json) {
+    return QJsonDocument::fromJson(json).object();
+}
+
+/// Corners of small integers, then a normal and texture coordinates each, 16 bytes a corner.
+std::string interleavedCorners() {
+    std::string bytes;
+    for (const auto& [x, y] : {std::pair{0, 0}, std::pair{32767, 0}, std::pair{-32768, 16384}}) {
+        put(bytes, static_cast<std::int16_t>(x), static_cast<std::int16_t>(y), std::int16_t{-7},
+            std::int16_t{0});
+        put(bytes, std::int8_t{0}, std::int8_t{0}, std::int8_t{-127}, std::int8_t{0});
+        put(bytes, static_cast<std::uint16_t>(x == 0 ? 0 : 65535), static_cast<std::uint16_t>(y));
+    }
+    return bytes;
+}
+
+GltfFile quantisedFile(bool isNormalised) {
+    GltfFile file;
+    const QJsonObject normalised{{QStringLiteral("normalized"), true}};
+    const auto at = [&normalised](int offset) {
+        QJsonObject members = normalised;
+        members[QStringLiteral("byteOffset")] = offset;
+        return members;
+    };
+    file.view(std::string(3, 'x'));
+    const int view = file.view(interleavedCorners(), 16);
+    file.attributes = {
+        {QStringLiteral("POSITION"),
+         file.accessor(view, kShort, "VEC3", 3, isNormalised ? normalised : QJsonObject())},
+        {QStringLiteral("NORMAL"), file.accessor(view, kByte, "VEC3", 3, at(8))},
+        {QStringLiteral("TEXCOORD_0"), file.accessor(view, kUnsignedShort, "VEC2", 3, at(12))}};
+    file.more = members(R"({"extensionsUsed": ["KHR_mesh_quantization"],
+                            "extensionsRequired": ["KHR_mesh_quantization"]})");
+    return file;
+}
+
+}  // namespace
+
 class GltfTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
@@ -20,6 +60,14 @@ private Q_SLOTS:
     void encodedNames();
     void encodedNamesStayInTheFolder();
     void encodedPictures();
+    void quantised_data();
+    void quantised();
+    void quantisedMorphs();
+    void smallTextureCoordinates_data();
+    void smallTextureCoordinates();
+    void sparseAndInterleaved();
+    void wrongNumbers_data();
+    void wrongNumbers();
 
 private:
     QString write(const QString& name, const std::string& content) {
@@ -90,6 +138,147 @@ void GltfTest::encodedPictures() {
     QCOMPARE(paint.metalRoughness.image, 0);
     QCOMPARE(read.value().mesh.pictureFiles, std::vector<std::string>{"my tex.png"});
     QCOMPARE(paint.normalMap.texture, std::string("gone%20too.png"));
+}
+
+void GltfTest::quantised_data() {
+    QTest::addColumn<bool>("isNormalised");
+    QTest::addColumn<QString>("name");
+    for (const bool isNormalised : {false, true}) {
+        const char* const how = isNormalised ? "normalised" : "whole";
+        for (const char* const name : {"q.gltf", "q.glb", "q beside.gltf"}) {
+            QTest::addRow("%s, %s", how, name) << isNormalised << QString::fromLatin1(name);
+        }
+    }
+}
+
+void GltfTest::quantised() {
+    QFETCH(bool, isNormalised);
+    QFETCH(QString, name);
+    const GltfFile file = quantisedFile(isNormalised);
+    write(QStringLiteral("q 1.bin"), file.numbers);
+    const QString uri = name.contains(QLatin1Char(' ')) ? QStringLiteral("q%201.bin") : QString();
+    const QString path = write(name, name.endsWith(QLatin1String("glb")) ? file.glb() : file.text(uri));
+    const Result<ImportedMesh> read = importMesh(path);
+    QVERIFY2(read.ok(), qPrintable(messageOf(read)));
+    const MeshData& mesh = read.value().mesh;
+    const float all = isNormalised ? 32767.0f : 1.0f;
+    QCOMPARE(mesh.positions[0], glm::vec3(0, 0, -7 / all));
+    QCOMPARE(mesh.positions[1], glm::vec3(32767 / all, 0, -7 / all));
+    QCOMPARE(mesh.positions[2], glm::vec3(isNormalised ? -1 : -32768, 16384 / all, -7 / all));
+    QCOMPARE(mesh.normals.at(2), glm::vec3(0, 0, -1));
+    QCOMPARE(mesh.texcoords.at(1), glm::vec2(1, 1));
+    QCOMPARE(mesh.texcoords.at(2), glm::vec2(1, 1 - 16384 / 65535.0f));
+    QCOMPARE(read.value().notes, QStringList());
+}
+
+void GltfTest::quantisedMorphs() {
+    GltfFile file = triangleFile();
+    std::string moves;
+    put(moves, std::int8_t{1}, std::int8_t{2}, std::int8_t{-3}, std::int8_t{0}, std::int8_t{0},
+        std::int8_t{0}, std::int8_t{0}, std::int8_t{0}, std::int8_t{0}, std::int8_t{0}, std::int8_t{5},
+        std::int8_t{0});
+    const int target = file.accessor(file.view(moves, 4), kByte, "VEC3", 3);
+    const QJsonObject triangle{
+        {QStringLiteral("attributes"), file.attributes},
+        {QStringLiteral("targets"), QJsonArray{QJsonObject{{QStringLiteral("POSITION"), target}}}}};
+    const QJsonObject mesh{{QStringLiteral("primitives"), QJsonArray{triangle}},
+                           {QStringLiteral("weights"), QJsonArray{1}}};
+    file.more[QStringLiteral("meshes")] = QJsonArray{mesh};
+    const Result<ImportedMesh> read = importMesh(write(QStringLiteral("m.gltf"), file.text()));
+    QVERIFY2(read.ok(), qPrintable(messageOf(read)));
+    QCOMPARE(read.value().mesh.positions, (PageVector<glm::vec3>{{1, 2, -3}, {100, 0, 0}, {0, 100, 5}}));
+}
+
+void GltfTest::smallTextureCoordinates_data() {
+    QTest::addColumn<int>("type");
+    QTest::newRow("bytes") << kUnsignedByte;
+    QTest::newRow("shorts") << kUnsignedShort;
+}
+
+/// What glTF 2.0 allows without an extension.
+void GltfTest::smallTextureCoordinates() {
+    QFETCH(int, type);
+    std::string bytes;
+    for (const int part : {0, 255, 255, 0, 51, 102}) {
+        if (type == kUnsignedByte) {
+            put(bytes, static_cast<std::uint8_t>(part));
+            bytes.append(bytes.size() % 4 == 2 ? 2 : 0, 0);  // four bytes each
+        } else {
+            put(bytes, static_cast<std::uint16_t>(257 * part));
+        }
+    }
+    GltfFile file = triangleFile();
+    file.attributes[QStringLiteral("TEXCOORD_0")] =
+        file.accessor(file.view(bytes, 4), type, "VEC2", 3, {{QStringLiteral("normalized"), true}});
+    const Result<ImportedMesh> read = importMesh(write(QStringLiteral("t.gltf"), file.text()));
+    QVERIFY2(read.ok(), qPrintable(messageOf(read)));
+    const MeshData& mesh = read.value().mesh;
+    QCOMPARE(mesh.positions[1], glm::vec3(100, 0, 0));
+    QCOMPARE(mesh.texcoords.at(0), glm::vec2(0, 0));
+    QCOMPARE(mesh.texcoords.at(1), glm::vec2(1, 1));
+    QCOMPARE(mesh.texcoords.at(2), glm::vec2(0.2f, 1 - 0.4f));
+}
+
+void GltfTest::sparseAndInterleaved() {
+    GltfFile file;
+    std::string corners;
+    for (const float x : {0.0f, 100.0f, 50.0f}) {
+        put(corners, x, 0.0f, 5.0f, 0.5f, 0.5f, 0.5f);
+    }
+    const int view = file.view(corners, 24);
+    std::string places;
+    put(places, std::uint16_t{2});
+    std::string values;
+    put(values, 0.0f, 1.0f, 0.25f);
+    const QJsonObject sparse{
+        {QStringLiteral("count"), 1},
+        {QStringLiteral("indices"), QJsonObject{{QStringLiteral("bufferView"), file.view(places)},
+                                                {QStringLiteral("componentType"), kUnsignedShort}}},
+        {QStringLiteral("values"), QJsonObject{{QStringLiteral("bufferView"), file.view(values)}}}};
+    for (const auto& [name, offset] : {std::pair{"POSITION", 0}, std::pair{"COLOR_0", 12}}) {
+        file.attributes[QLatin1String(name)] =
+            file.accessor(view, kFloatNumbers, "VEC3", 3,
+                          {{QStringLiteral("byteOffset"), offset}, {QStringLiteral("sparse"), sparse}});
+    }
+    const Result<ImportedMesh> read = importMesh(write(QStringLiteral("s.gltf"), file.text()));
+    QVERIFY2(read.ok(), qPrintable(messageOf(read)));
+    const MeshData& mesh = read.value().mesh;
+    QCOMPARE(mesh.positions, (PageVector<glm::vec3>{{0, 0, 5}, {100, 0, 5}, {0, 1, 0.25f}}));
+    QCOMPARE(mesh.colours.at(0).x, mesh.colours.at(1).z);
+    QVERIFY(mesh.colours.at(0).x > 0.5f && mesh.colours.at(0).x < 1.0f);
+    QCOMPARE(mesh.colours.at(2).x, 0.0f);
+}
+
+void GltfTest::wrongNumbers_data() {
+    QTest::addColumn<QString>("attribute");
+    QTest::addColumn<int>("type");
+    QTest::addColumn<QString>("shape");
+    QTest::addColumn<QString>("message");
+    QTest::newRow("flat") << "POSITION" << kFloatNumbers << "VEC2"
+                          << "POSITION is of the type VEC2, not VEC3";
+    QTest::newRow("line") << "POSITION" << kShort << "SCALAR"
+                          << "POSITION is of the type SCALAR, not VEC3";
+    QTest::newRow("more") << "NORMAL" << kFloatNumbers << "VEC4"
+                          << "NORMAL is of the type VEC4, not VEC3";
+    QTest::newRow("few") << "TEXCOORD_0" << kFloatNumbers << "SCALAR"
+                         << "TEXCOORD_0 is of the type SCALAR, not VEC2";
+    QTest::newRow("large") << "POSITION" << kUnsigned << "VEC3"
+                           << "POSITION is of numbers of the component type 5125, not of floats";
+    QTest::newRow("doubles") << "POSITION" << 5130 << "VEC3"
+                             << "POSITION is of numbers of the component type 5130, not of floats";
+}
+
+void GltfTest::wrongNumbers() {
+    QFETCH(QString, attribute);
+    QFETCH(int, type);
+    QFETCH(QString, shape);
+    QFETCH(QString, message);
+    GltfFile file = triangleFile();
+    file.attributes[attribute] =
+        file.accessor(file.view(std::string(48, '\0')), type, shape.toLatin1().constData(), 3);
+    const Result<ImportedMesh> read = importMesh(write(QStringLiteral("w.gltf"), file.text()));
+    QVERIFY(!read.ok());
+    QVERIFY2(messageOf(read).contains(message), qPrintable(messageOf(read)));
 }
 
 HITSCOPE_TEST(GltfTest, QCoreApplication)

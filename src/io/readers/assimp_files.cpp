@@ -6,6 +6,7 @@
 
 #include <assimp/MemoryIOWrapper.h>
 
+#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QUrl>
@@ -18,8 +19,8 @@ namespace {
 
 class FolderFiles : public Assimp::IOSystem {
 public:
-    FolderFiles(QString file, bool namesAreUris)
-        : m_file(std::move(file)), m_folder(QFileInfo(m_file).absolutePath()), m_namesAreUris(namesAreUris) {}
+    FolderFiles(QString file, const FolderFilesOptions& options)
+        : m_file(std::move(file)), m_folder(QFileInfo(m_file).absolutePath()), m_options(options) {}
 
     bool Exists(const char* name) const override;
     [[nodiscard]] char getOsSeparator() const override { return '/'; }
@@ -29,16 +30,18 @@ public:
 private:
     /// Empty: it is none of them.
     [[nodiscard]] QString find(const char* name) const;
+    /// Empty: it is not in memory.
+    [[nodiscard]] std::string_view inMemory(const char* name) const;
 
     QString m_file;
     QString m_folder;
-    bool m_namesAreUris;
+    FolderFilesOptions m_options;
 };
 
 }  // namespace
 
-std::unique_ptr<Assimp::IOSystem> makeFolderFiles(const QString& file, bool namesAreUris) {
-    return std::make_unique<FolderFiles>(file, namesAreUris);
+std::unique_ptr<Assimp::IOSystem> makeFolderFiles(const QString& file, const FolderFilesOptions& options) {
+    return std::make_unique<FolderFiles>(file, options);
 }
 
 QString FolderFiles::find(const char* name) const {
@@ -47,7 +50,7 @@ QString FolderFiles::find(const char* name) const {
         return m_file;
     }
     const QString direct = resolveInside(m_folder, wanted);
-    if (!direct.isEmpty() || !m_namesAreUris || !wanted.startsWith(m_folder)) {
+    if (!direct.isEmpty() || !m_options.namesAreUris || !wanted.startsWith(m_folder)) {
         return direct;
     }
     // Assimp puts the folder before the name; it may have a percent sign of its own.
@@ -55,11 +58,23 @@ QString FolderFiles::find(const char* name) const {
     return resolveInside(m_folder, m_folder + QUrl::fromPercentEncoding(uri));
 }
 
+std::string_view FolderFiles::inMemory(const char* name) const {
+    const QString wanted = QString::fromUtf8(name);
+    if (wanted == m_file) {
+        return m_options.document;
+    }
+    const bool isOther = wanted == QDir(m_folder).filePath(QString::fromLatin1(m_options.otherName));
+    return isOther ? m_options.other : std::string_view();
+}
+
 bool FolderFiles::Exists(const char* name) const {
-    return !find(name).isEmpty();
+    return !inMemory(name).empty() || !find(name).isEmpty();
 }
 
 Assimp::IOStream* FolderFiles::Open(const char* name, const char* mode) {
+    if (const std::string_view bytes = inMemory(name); !bytes.empty()) {
+        return new Assimp::MemoryIOStream(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+    }
     QFile file(find(name));
     if (file.fileName().isEmpty() || !mode || mode[0] != 'r' || !file.open(QIODevice::ReadOnly)) {
         return nullptr;

@@ -25,7 +25,8 @@
 #include "io/readers/assimp_morphs.h"
 #include "io/readers/dae_check.h"
 #include "io/readers/fbx_check.h"
-#include "io/readers/gltf_check.h"
+#include "io/readers/gltf_numbers.h"
+#include "io/readers/gltf_prepare.h"
 #include "io/readers/tidy.h"
 #include "io/welder.h"
 
@@ -275,34 +276,39 @@ void keepReadersOf(const std::string& suffix, Assimp::Importer& importer) {
     }
 }
 
-/// `why`: with a full stop or without.
-Error unreadable(const std::string& suffix, std::string why, const std::string& where) {
+/// `why`: with a full stop or without; `advice`: empty if there is none better than the usual.
+Error unreadable(const std::string& suffix, std::string why, const std::string& where,
+                 const std::string& advice = {}) {
     while (why.ends_with('.')) {
         why.pop_back();
     }
     return {
         "It cannot be read as " + QString::fromStdString(suffix).toUpper().toStdString() + ": " + why + ".",
-        where, "It may be damaged, or its suffix be wrong. Try opening and saving it with another program."};
+        where,
+        advice.empty()
+            ? "It may be damaged, or its suffix be wrong. Try opening and saving it with another program."
+            : advice};
 }
 
-/// The triangles that the file promises: Assimp leaves out, and says nothing, those whose corners there are
-/// not.
-Result<std::uint64_t> checkBefore(const std::string& suffix, std::string_view content,
-                                  const QString& folder) {
-    std::uint64_t triangles = 0;
-    if (suffix == "gltf" || suffix == "glb") {
-        const Result<GltfCounts> counts = checkGltf(content, folder);
-        if (!counts) {
-            return unreadable(suffix, counts.error().what, counts.error().where);
-        }
-        triangles = counts.value().triangles;
-    } else if (suffix == "dae" || suffix == "fbx") {
+bool isGltf(const std::string& suffix) {
+    return suffix == "gltf" || suffix == "glb";
+}
+
+/// Of a glTF file also what is to be read instead of it, and how many triangles it promises: Assimp leaves
+/// out, and says nothing, those whose corners there are not.
+Result<PreparedGltf> prepare(const std::string& suffix, std::string_view content, const QString& folder) {
+    if (isGltf(suffix)) {
+        Result<PreparedGltf> prepared = prepareGltf(content, folder);
+        const Error bad = prepared ? Error{} : prepared.error();
+        return prepared ? std::move(prepared) : unreadable(suffix, bad.what, bad.where, bad.advice);
+    }
+    if (suffix == "dae" || suffix == "fbx") {
         const Status checked = suffix == "dae" ? checkDae(content) : checkFbx(content);
         if (!checked) {
             return unreadable(suffix, checked.error().what, checked.error().where);
         }
     }
-    return triangles;
+    return PreparedGltf{};
 }
 
 Status checkAfter(const aiScene& scene, std::uint64_t promised) {
@@ -331,14 +337,19 @@ Result<ImportedMesh> readWithAssimp(const QString& path, std::string_view conten
                                     const ProgressSink& progress) {
     const QFileInfo info(path);
     const std::string suffix = info.suffix().toLower().toStdString();
-    const Result<std::uint64_t> promised = checkBefore(suffix, content, info.absolutePath());
-    if (!promised) {
-        return promised.error();
+    Result<PreparedGltf> prepared = prepare(suffix, content, info.absolutePath());
+    if (!prepared) {
+        return prepared.error();
     }
+    const PreparedGltf& gltf = prepared.value();
     Assimp::Importer importer;
     keepReadersOf(suffix, importer);
-    const bool isGltf = suffix == "gltf" || suffix == "glb";
-    importer.SetIOHandler(makeFolderFiles(info.absoluteFilePath(), isGltf).release());  // it deletes that
+    importer.SetIOHandler(  // which the importer deletes
+        makeFolderFiles(info.absoluteFilePath(), {.namesAreUris = isGltf(suffix),
+                                                  .document = gltf.document,
+                                                  .otherName = kDecodedGltfBuffer,
+                                                  .other = gltf.numbers})
+            .release());
     importer.SetProgressHandler(new Progress(progress));
     const aiScene* const scene = importer.ReadFile(info.absoluteFilePath().toUtf8().constData(), 0);
     if (!scene || !scene->mRootNode) {
@@ -354,20 +365,21 @@ Result<ImportedMesh> readWithAssimp(const QString& path, std::string_view conten
         }
         return unreadable(suffix, why, {});
     }
-    if (const Status checked = checkAfter(*scene, promised.value()); !checked) {
+    if (const Status checked = checkAfter(*scene, gltf.triangles); !checked) {
         return checked.error();
     }
     ImportedMesh imported;
-    SceneMerger merger(*scene, imported,
-                       {.weld = suffix == "fbx" || suffix == "3ds" || suffix == "dae", .morph = isGltf});
+    SceneMerger merger(
+        *scene, imported,
+        {.weld = suffix == "fbx" || suffix == "3ds" || suffix == "dae", .morph = isGltf(suffix)});
     if (const Status merged = merger.merge(); !merged) {
         return merged.error();
     }
-    if (isGltf) {
+    if (isGltf(suffix)) {
         turnColoursToSrgb(imported.mesh);
     }
     convertMaterials(*scene, imported);
-    if (isGltf) {
+    if (isGltf(suffix)) {
         nameTexturesOfUris(info.absolutePath(), imported.mesh);
     }
     dropAddedMaterial(imported.mesh);

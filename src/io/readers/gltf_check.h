@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QJsonObject>
 #include <QString>
+#include <cstddef>
 #include <cstdint>
-#include <string_view>
-
-#include "core/result.h"
 
 namespace hitscope {
 
@@ -14,10 +13,10 @@ struct GltfCounts {
     std::uint64_t triangles = 0;  ///< of all meshes, each once
 };
 
-/// Reads a file's JSON alone, and refuses what would take time and memory out of all proportion, or lead
-/// astray who reads its numbers: nodes with two parents, which double with every step down; numbers beyond
-/// the end of their buffers (`folder`: where buffers' files are); attributes of different lengths; and more
-/// vertices, with all instances, than fit into memory.
-[[nodiscard]] Result<GltfCounts> checkGltf(std::string_view file, const QString& folder);
+/// Looks at a file's JSON alone, and refuses (BadGltf) what would take time and memory out of all proportion,
+/// or lead astray who reads its numbers: nodes with two parents, which double with every step down; numbers
+/// beyond the end of their buffers (`folder`: where buffers' files are); attributes of different lengths; and
+/// more vertices, with all instances, than fit into memory.
+[[nodiscard]] GltfCounts checkGltf(const QJsonObject& root, std::size_t fileSize, const QString& folder);
 
 }  // namespace hitscope

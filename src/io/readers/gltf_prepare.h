@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "core/result.h"
+
+namespace hitscope {
+
+/// A glTF or GLB file before Assimp reads it.
+struct PreparedGltf {
+    std::uint64_t triangles = 0;  ///< of all meshes, each once
+    std::string document;         ///< what Assimp is to read instead of the file; empty: the file itself
+    std::string numbers;          ///< the buffer kDecodedGltfBuffer, to which `document` refers
+};
+
+/// Checks a file of version 1 or 2 (gltf_check.h), and mends the numbers that Assimp would misread
+/// (gltf_numbers.h). `folder`: where buffers' files are.
+[[nodiscard]] Result<PreparedGltf> prepareGltf(std::string_view file, const QString& folder);
+
+}  // namespace hitscope
