@@ -15,6 +15,11 @@ using namespace test;
 
 namespace {
 
+QString messageIn(const Result<ImportedMesh>& read) {
+    return messageOf(read) + QLatin1Char(' ') +
+           (read ? read.value().notes.join(QLatin1Char(' ')) : QString());
+}
+
 QJsonObject members(const char* json) {
     return QJsonDocument::fromJson(json).object();
 }
@@ -68,6 +73,8 @@ private Q_SLOTS:
     void sparseAndInterleaved();
     void wrongNumbers_data();
     void wrongNumbers();
+    void extensions_data();
+    void extensions();
 
 private:
     QString write(const QString& name, const std::string& content) {
@@ -279,6 +286,44 @@ void GltfTest::wrongNumbers() {
     const Result<ImportedMesh> read = importMesh(write(QStringLiteral("w.gltf"), file.text()));
     QVERIFY(!read.ok());
     QVERIFY2(messageOf(read).contains(message), qPrintable(messageOf(read)));
+}
+
+void GltfTest::extensions_data() {
+    QTest::addColumn<QString>("more");
+    QTest::addColumn<bool>("isRead");
+    QTest::addColumn<QString>("message");
+    QTest::newRow("unknown") << R"({"extensionsRequired": ["FOO_bar"]})" << false
+                             << "it needs the extension FOO_bar, which Hitscope cannot read";
+    QTest::newRow("unknown ones") << R"({"extensionsRequired": ["A_b", "KHR_materials_unlit", "C_d"]})"
+                                  << false << "it needs the extensions A_b, C_d, which Hitscope cannot read";
+    QTest::newRow("unknown, not needed") << R"({"extensionsUsed": ["FOO_bar"]})" << true << "";
+    QTest::newRow("compressed") << R"({"extensionsRequired": ["EXT_meshopt_compression"]})" << false
+                                << "it needs the extension EXT_meshopt_compression";
+    const QString instanced = QStringLiteral(R"({"%1": ["EXT_mesh_gpu_instancing"],
+        "nodes": [{"mesh": 0, "extensions": {"EXT_mesh_gpu_instancing": {"attributes": {"TRANSLATION": 0}}}}]})");
+    QTest::newRow("instances") << instanced.arg(QLatin1String("extensionsRequired")) << false
+                               << "EXT_mesh_gpu_instancing";
+    QTest::newRow("instances, not needed")
+        << instanced.arg(QLatin1String("extensionsUsed")) << true
+        << "Of instances that lie in numbers (EXT_mesh_gpu_instancing) only the mesh itself was read.";
+    QTest::newRow("materials") << R"({"extensionsRequired": ["KHR_materials_ior", "KHR_lights_punctual"]})"
+                               << true << "";
+    QTest::newRow("pictures")
+        << R"({"extensionsRequired": ["KHR_texture_basisu"], "images": [{"uri": "a.ktx2"}],
+               "textures": [{"extensions": {"KHR_texture_basisu": {"source": 0}}}]})"
+        << true << "Textures of a kind that cannot be read (KHR_texture_basisu) are not shown.";
+}
+
+void GltfTest::extensions() {
+    QFETCH(QString, more);
+    QFETCH(bool, isRead);
+    QFETCH(QString, message);
+    GltfFile file = triangleFile();
+    file.more = members(more.toUtf8().constData());
+    const Result<ImportedMesh> read = importMesh(write(QStringLiteral("e.gltf"), file.text()));
+    QCOMPARE(read.ok(), isRead);
+    QVERIFY2(messageIn(read).contains(message), qPrintable(messageIn(read)));
+    QCOMPARE(isRead && read.value().notes.isEmpty(), isRead && message.isEmpty());
 }
 
 HITSCOPE_TEST(GltfTest, QCoreApplication)

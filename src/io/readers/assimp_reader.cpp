@@ -383,6 +383,7 @@ Result<ImportedMesh> readWithAssimp(const QString& path, std::string_view conten
         nameTexturesOfUris(info.absolutePath(), imported.mesh);
     }
     dropAddedMaterial(imported.mesh);
+    imported.notes += gltf.notes;
     noteWhatIsLeftOut(*scene, merger.hasMorphed(), imported);
     tidy(imported);
     return imported;

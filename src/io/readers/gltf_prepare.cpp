@@ -5,6 +5,7 @@
 #include <QJsonObject>
 
 #include "io/readers/gltf_check.h"
+#include "io/readers/gltf_extensions.h"
 #include "io/readers/gltf_json.h"
 #include "io/readers/gltf_numbers.h"
 
@@ -48,6 +49,7 @@ Result<PreparedGltf> prepareGltf(std::string_view file, const QString& folder) {
         const GltfParts parts = gltfParts(file);
         QJsonObject root = rootOf(parts.json);
         PreparedGltf prepared;
+        prepared.notes = checkGltfExtensions(root);
         prepared.triangles = checkGltf(root, file.size(), folder).triangles;
         prepared.numbers = decodeGltf(root, parts.numbers, folder);
         if (!prepared.numbers.empty()) {
