@@ -75,6 +75,8 @@ private Q_SLOTS:
     void wrongNumbers();
     void extensions_data();
     void extensions();
+    void scenes_data();
+    void scenes();
 
 private:
     QString write(const QString& name, const std::string& content) {
@@ -324,6 +326,48 @@ void GltfTest::extensions() {
     QCOMPARE(read.ok(), isRead);
     QVERIFY2(messageIn(read).contains(message), qPrintable(messageIn(read)));
     QCOMPARE(isRead && read.value().notes.isEmpty(), isRead && message.isEmpty());
+}
+
+void GltfTest::scenes_data() {
+    QTest::addColumn<QString>("more");
+    QTest::addColumn<QString>("message");
+    QTest::newRow("none") << R"({"scenes": null, "nodes": [{"mesh": 0, "translation": [0, 0, 5]},
+                                 {"children": [0], "translation": [0, 0, 2]}]})"
+                          << "";
+    QTest::newRow("empty list") << R"({"scenes": [], "nodes": [{"mesh": 0, "translation": [0, 0, 7]}]})"
+                                << "";
+    QTest::newRow("another's mesh") << R"({"nodes": [{"mesh": 0, "translation": [0, 0, 7]}, {"mesh": 1}],
+               "scenes": [{"nodes": [1]}, {"nodes": [0]}], "scene": 1,
+               "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]},
+                          {"primitives": [{"attributes": {"POSITION": 0}}]}]})"
+                                    << "";
+    QTest::newRow("empty") << R"({"scenes": [{"nodes": []}]})"
+                           << "its scene is empty. Put the meshes into";
+    QTest::newRow("without meshes") << R"({"nodes": [{}]})"
+                                    << "no node of its scene has a mesh. Put";
+    QTest::newRow("no nodes") << R"({"nodes": [], "scenes": null})"
+                              << "it has no nodes, so that nothing places";
+    QTest::newRow("no such mode")
+        << R"({"meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "mode": 7}]}]})"
+        << "a mesh is of the mode 7, of which glTF has 0 to 6";
+    QTest::newRow("no such scene") << R"({"scene": 3})"
+                                   << "it refers to a scene that it does not have";
+}
+
+void GltfTest::scenes() {
+    QFETCH(QString, more);
+    QFETCH(QString, message);
+    GltfFile file = triangleFile();
+    file.more = members(more.toUtf8().constData());
+    for (const bool isBinary : {false, true}) {
+        const Result<ImportedMesh> read = importMesh(isBinary ? write(QStringLiteral("s.glb"), file.glb())
+                                                              : write(QStringLiteral("s.gltf"), file.text()));
+        QCOMPARE(read.ok(), message.isEmpty());
+        QVERIFY2(messageOf(read).contains(message), qPrintable(messageOf(read)));
+        if (read.ok()) {
+            QCOMPARE(read.value().mesh.positions[1], glm::vec3(100, 0, 7));
+        }
+    }
 }
 
 HITSCOPE_TEST(GltfTest, QCoreApplication)

@@ -25,7 +25,7 @@ public:
         checkAccessors();
         checkMeshes();
         checkNodes();
-        return {m_triangles};
+        return {trianglesInScene()};
     }
 
 private:
@@ -33,6 +33,7 @@ private:
         std::uint64_t primitives = 0;
         std::uint64_t vertices = 0;
         std::uint64_t corners = 0;
+        std::uint64_t triangles = 0;
     };
 
     [[nodiscard]] std::uint64_t bytesThere(const QJsonObject& buffer) const;
@@ -41,6 +42,8 @@ private:
     void checkMeshes();
     void checkNodes();
     void checkParents();
+    [[nodiscard]] QJsonArray meshesOf(std::size_t node) const;
+    [[nodiscard]] std::uint64_t trianglesInScene() const;
     Size sizeOf(const QJsonObject& primitive);
     std::uint64_t countOf(const QJsonObject& attributes, std::optional<std::uint64_t> wanted);
 
@@ -55,7 +58,6 @@ private:
     GltfThings m_scenes{m_root, "scenes", "a scene"};
     std::vector<std::uint64_t> m_bufferBytes;
     std::vector<Size> m_sizes;  ///< of each mesh
-    std::uint64_t m_triangles = 0;
 };
 
 /// At most: how long it really is, whatever it says.
@@ -152,10 +154,10 @@ Check::Size Check::sizeOf(const QJsonObject& primitive) {
     if (corners < least && primitive.value(QLatin1String("attributes")).toObject().size() > 0) {
         throw BadGltf("a mesh has fewer vertices than one of its faces");
     }
-    if (mode >= kTriangles) {
-        m_triangles += mode == kTriangles ? corners / 3 : corners - std::min<std::uint64_t>(corners, 2);
-    }
-    return {1, vertices, corners};
+    const std::uint64_t triangles = mode < kTriangles    ? 0
+                                    : mode == kTriangles ? corners / 3
+                                                         : corners - std::min<std::uint64_t>(corners, 2);
+    return {1, vertices, corners, triangles};
 }
 
 void Check::checkMeshes() {
@@ -166,6 +168,7 @@ void Check::checkMeshes() {
             all.primitives += size.primitives;
             all.vertices += size.vertices;
             all.corners += size.corners;
+            all.triangles += size.triangles;
         }
         m_sizes.push_back(all);
     }
@@ -195,15 +198,19 @@ void Check::checkParents() {
     }
 }
 
+QJsonArray Check::meshesOf(std::size_t node) const {
+    QJsonArray meshes = m_nodes[node].value(QLatin1String("meshes")).toArray();  // version 1
+    if (const QJsonValue mesh = m_nodes[node].value(QLatin1String("mesh")); !mesh.isUndefined()) {
+        meshes.append(mesh);
+    }
+    return meshes;
+}
+
 void Check::checkNodes() {
     checkParents();
     Size all;
     for (std::size_t n = 0; n < m_nodes.size(); ++n) {
-        QJsonArray meshes = m_nodes[n].value(QLatin1String("meshes")).toArray();  // version 1
-        if (const QJsonValue mesh = m_nodes[n].value(QLatin1String("mesh")); !mesh.isUndefined()) {
-            meshes.append(mesh);
-        }
-        for (const QJsonValue& mesh : meshes) {
+        for (const QJsonValue& mesh : meshesOf(n)) {
             const Size& size = m_sizes[m_meshes.find(mesh)];
             all.primitives += size.primitives;
             all.vertices += size.vertices;
@@ -213,6 +220,47 @@ void Check::checkNodes() {
             throw BadGltf("with all instances of its meshes it has more vertices than can be opened");
         }
     }
+}
+
+/// Assimp reads the meshes of one scene alone. BadGltf: it has none of those that there are.
+std::uint64_t Check::trianglesInScene() const {
+    constexpr const char* kAdvice =
+        "Put the meshes into the scene in the program it came from, and export it again.";
+    if (m_meshes.size() > 0 && m_nodes.size() == 0) {
+        throw BadGltf("it has no nodes, so that nothing places its meshes", kAdvice);
+    }
+    if (m_meshes.size() == 0 || m_scenes.size() == 0) {
+        return 0;
+    }
+    const QJsonValue shown = m_root.value(QLatin1String("scene"));
+    const QJsonObject& scene = m_scenes[shown.isUndefined() ? 0 : m_scenes.find(shown)];
+    std::vector<std::size_t> open;
+    for (const QJsonValue& node : scene.value(QLatin1String("nodes")).toArray()) {
+        open.push_back(m_nodes.find(node));
+    }
+    if (open.empty()) {
+        throw BadGltf("its scene is empty", kAdvice);
+    }
+    std::vector<bool> isThere(m_meshes.size(), false);
+    std::uint64_t triangles = 0;
+    bool hasMesh = false;
+    while (!open.empty()) {
+        const std::size_t node = open.back();
+        open.pop_back();
+        for (const QJsonValue& mesh : meshesOf(node)) {
+            const std::size_t index = m_meshes.find(mesh);
+            triangles += isThere[index] ? 0 : m_sizes[index].triangles;
+            isThere[index] = true;
+            hasMesh = true;
+        }
+        for (const QJsonValue& child : m_nodes[node].value(QLatin1String("children")).toArray()) {
+            open.push_back(m_nodes.find(child));
+        }
+    }
+    if (!hasMesh) {
+        throw BadGltf("no node of its scene has a mesh", kAdvice);
+    }
+    return triangles;
 }
 
 }  // namespace

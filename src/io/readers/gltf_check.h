@@ -10,7 +10,7 @@ namespace hitscope {
 
 /// What a glTF or GLB file of version 1 or 2 makes, as its JSON says it.
 struct GltfCounts {
-    std::uint64_t triangles = 0;  ///< of all meshes, each once
+    std::uint64_t triangles = 0;  ///< of all meshes in its scene, each once
 };
 
 /// Looks at a file's JSON alone, and refuses (BadGltf) what would take time and memory out of all proportion,

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/readers/gltf_prepare.h"
 
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <vector>
 
 #include "io/readers/gltf_check.h"
 #include "io/readers/gltf_extensions.h"
@@ -21,6 +23,31 @@ QJsonObject rootOf(std::string_view json) {
                       error.errorString().toStdString());
     }
     return document.object();
+}
+
+/// Version 2 does not ask for one, Assimp does: all nodes that are in no other. Whether it was missing.
+bool addScene(QJsonObject& root) {
+    const QJsonArray nodes = root.value(QLatin1String("nodes")).toArray();
+    if (!root.value(QLatin1String("scenes")).toArray().isEmpty() || nodes.isEmpty()) {
+        return false;
+    }
+    std::vector<bool> isChild(static_cast<std::size_t>(nodes.size()), false);
+    for (const QJsonValue& node : nodes) {
+        for (const QJsonValue& child : node.toObject().value(QLatin1String("children")).toArray()) {
+            if (const qint64 index = child.toInteger(-1); index >= 0 && index < nodes.size()) {
+                isChild[static_cast<std::size_t>(index)] = true;
+            }
+        }
+    }
+    QJsonArray roots;
+    for (std::size_t n = 0; n < isChild.size(); ++n) {
+        if (!isChild[n]) {
+            roots.append(static_cast<qint64>(n));
+        }
+    }
+    root[QLatin1String("scenes")] = QJsonArray{QJsonObject{{QStringLiteral("nodes"), roots}}};
+    root[QLatin1String("scene")] = 0;
+    return true;
 }
 
 /// The file with another JSON.
@@ -50,9 +77,10 @@ Result<PreparedGltf> prepareGltf(std::string_view file, const QString& folder) {
         QJsonObject root = rootOf(parts.json);
         PreparedGltf prepared;
         prepared.notes = checkGltfExtensions(root);
+        const bool hasNewScene = addScene(root);
         prepared.triangles = checkGltf(root, file.size(), folder).triangles;
         prepared.numbers = decodeGltf(root, parts.numbers, folder);
-        if (!prepared.numbers.empty()) {
+        if (hasNewScene || !prepared.numbers.empty()) {
             prepared.document = withJson(root, file, parts);
         }
         return prepared;

@@ -13,14 +13,14 @@ namespace hitscope {
 
 /// A glTF or GLB file before Assimp reads it.
 struct PreparedGltf {
-    std::uint64_t triangles = 0;  ///< of all meshes, each once
+    std::uint64_t triangles = 0;  ///< of all meshes in its scene, each once
     QStringList notes;            ///< on what is not read
     std::string document;         ///< what Assimp is to read instead of the file; empty: the file itself
     std::string numbers;          ///< the buffer kDecodedGltfBuffer, to which `document` refers
 };
 
-/// Checks a file of version 1 or 2 (gltf_check.h, gltf_extensions.h), and mends the numbers that Assimp would
-/// misread (gltf_numbers.h). `folder`: where buffers' files are.
+/// Checks a file of version 1 or 2 (gltf_check.h, gltf_extensions.h), and mends what Assimp would misread:
+/// numbers that are no floats (gltf_numbers.h), and a missing scene. `folder`: where buffers' files are.
 [[nodiscard]] Result<PreparedGltf> prepareGltf(std::string_view file, const QString& folder);
 
 }  // namespace hitscope
