@@ -310,6 +310,14 @@ void GltfTest::extensions_data() {
         << "Of instances that lie in numbers (EXT_mesh_gpu_instancing) only the mesh itself was read.";
     QTest::newRow("materials") << R"({"extensionsRequired": ["KHR_materials_ior", "KHR_lights_punctual"]})"
                                << true << "";
+    const QString moved = QStringLiteral(R"({"extensionsRequired": ["KHR_texture_transform"],
+        "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0,
+        "extensions": {"KHR_texture_transform": {"scale": [%1, 1]}}}}}],
+        "images": [{"uri": "moved.png"}], "textures": [{"source": 0}]})");
+    QTest::newRow("textures not moved") << moved.arg(1) << true << "";
+    QTest::newRow("textures moved")
+        << moved.arg(2) << true
+        << "Textures may lie elsewhere than the file says: KHR_texture_transform is not applied.";
     QTest::newRow("pictures")
         << R"({"extensionsRequired": ["KHR_texture_basisu"], "images": [{"uri": "a.ktx2"}],
                "textures": [{"extensions": {"KHR_texture_basisu": {"source": 0}}}]})"
@@ -320,6 +328,7 @@ void GltfTest::extensions() {
     QFETCH(QString, more);
     QFETCH(bool, isRead);
     QFETCH(QString, message);
+    write(QStringLiteral("moved.png"), smallPng().toStdString());
     GltfFile file = triangleFile();
     file.more = members(more.toUtf8().constData());
     const Result<ImportedMesh> read = importMesh(write(QStringLiteral("e.gltf"), file.text()));

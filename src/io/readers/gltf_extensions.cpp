@@ -11,6 +11,7 @@ namespace hitscope {
 namespace {
 
 constexpr const char* kInstancing = "EXT_mesh_gpu_instancing";
+constexpr const char* kTransform = "KHR_texture_transform";
 
 constexpr std::array kPictureKinds{"KHR_texture_basisu", "EXT_texture_webp", "EXT_texture_avif",
                                    "MSFT_texture_dds"};
@@ -18,9 +19,10 @@ constexpr std::array kPictureKinds{"KHR_texture_basisu", "EXT_texture_webp", "EX
 /// Besides materials and pictures: without them the surface is the same, or Assimp reads them (Draco's).
 constexpr std::array kHarmless{"KHR_draco_mesh_compression",
                                "KHR_mesh_quantization",
-                               "KHR_texture_transform",
+                               kTransform,
                                "KHR_lights_punctual",
                                "KHR_binary_glTF",
+                               "KHR_technique_webgl",
                                "KHR_techniques_webgl",
                                "KHR_animation_pointer",
                                "KHR_xmp",
@@ -73,6 +75,20 @@ QStringList picturesOfOtherKinds(const QJsonObject& root) {
     return kinds;
 }
 
+/// Of all that a material has: whether a texture is moved, turned or scaled.
+bool movesTextures(const QJsonValue& part) {
+    const QJsonArray list = part.toArray();
+    const QJsonObject object = part.toObject();
+    const QJsonObject moved = object.value(QLatin1String(kTransform)).toObject();
+    const QJsonArray noOffset{0, 0};
+    const QJsonArray noScale{1, 1};
+    return moved.value(QLatin1String("offset")).toArray(noOffset) != noOffset ||
+           moved.value(QLatin1String("scale")).toArray(noScale) != noScale ||
+           moved.value(QLatin1String("rotation")).toDouble() != 0.0 ||
+           std::any_of(list.begin(), list.end(), movesTextures) ||
+           std::any_of(object.begin(), object.end(), movesTextures);
+}
+
 }  // namespace
 
 QStringList checkGltfExtensions(const QJsonObject& root) {
@@ -100,9 +116,9 @@ QStringList checkGltfExtensions(const QJsonObject& root) {
     for (const QString& kind : picturesOfOtherKinds(root)) {
         notes << QStringLiteral("Textures of a kind that cannot be read (%1) are not shown.").arg(kind);
     }
-    if (required.contains(QLatin1String("KHR_texture_transform"))) {
-        notes << QStringLiteral(
-            "Textures may lie elsewhere than the file says: KHR_texture_transform is not applied.");
+    if (movesTextures(root.value(QLatin1String("materials")))) {
+        notes << QStringLiteral("Textures may lie elsewhere than the file says: %1 is not applied.")
+                     .arg(QLatin1String(kTransform));
     }
     return notes;
 }
