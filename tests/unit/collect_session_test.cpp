@@ -73,7 +73,7 @@ private Q_SLOTS:
     void locatedTextures();
     void opensAnywhere();
     void namesOfAnyBytes();
-    void buffersOfGltf();
+    void filesOfGltf();
     void goneMeshesAreNamed();
     void changedMeshesAreNamed();
     void nothingIsReplaced();
@@ -254,21 +254,29 @@ void CollectSessionTest::namesOfAnyBytes() {
     QCOMPARE(readFile(in(QStringLiteral("out/meshes/mesh/Möbel.png"))), png.toStdString());
 }
 
-void CollectSessionTest::buffersOfGltf() {
+void CollectSessionTest::filesOfGltf() {
     std::string buffer;
     put(buffer, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f);
-    write(QStringLiteral("g/data/tri.bin"), buffer);
+    const std::string picture = smallPng().toStdString();
+    write(QStringLiteral("g/data/a tri.bin"), buffer);
+    write(QStringLiteral("g/maps/a map.png"), picture);
     write(QStringLiteral("g/tri.gltf"),
-          R"({"asset": {"version": "2.0"}, "buffers": [{"uri": "data/tri.bin", "byteLength": 36}],
+          R"({"asset": {"version": "2.0"}, "buffers": [{"uri": "data/a%20tri.bin", "byteLength": 36}],
               "bufferViews": [{"buffer": 0, "byteLength": 36}],
               "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
                              "min": [0, 0, 0], "max": [1, 1, 0]}],
-              "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+              "images": [{"uri": "maps/a%20map.png"}], "textures": [{"source": 0}],
+              "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}],
+              "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
               "nodes": [{"mesh": 0}], "scenes": [{"nodes": [0]}], "scene": 0})");
     m_session->targets().add({plan(QStringLiteral("g/tri.gltf"))});
     QCOMPARE(m_session->targets().back()->shape.mesh->vertexCount(), std::size_t{3});
     QVERIFY(collect().ok());
-    QCOMPARE(readFile(in(QStringLiteral("out/meshes/tri/data/tri.bin"))), buffer);
+    QCOMPARE(readFile(in(QStringLiteral("out/meshes/tri/data/a tri.bin"))), buffer);
+    QCOMPARE(readFile(in(QStringLiteral("out/meshes/tri/maps/a map.png"))), picture);
+    const Result<ImportedMesh> copy = importMesh(in(QStringLiteral("out/meshes/tri/tri.gltf")));
+    QVERIFY2(copy.ok(), qPrintable(messageOf(copy)));
+    QCOMPARE(copy.value().mesh.images.size(), std::size_t{1});
 }
 
 void CollectSessionTest::goneMeshesAreNamed() {

@@ -4,6 +4,7 @@
 #include <QJsonArray>
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 #include "io/readers/gltf_json.h"
 
