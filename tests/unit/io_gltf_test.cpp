@@ -68,6 +68,7 @@ private Q_SLOTS:
     void quantised_data();
     void quantised();
     void quantisedMorphs();
+    void quantisedAndCompressed();
     void smallTextureCoordinates_data();
     void smallTextureCoordinates();
     void sparseAndInterleaved();
@@ -196,6 +197,17 @@ void GltfTest::quantisedMorphs() {
     const Result<ImportedMesh> read = importMesh(write(QStringLiteral("m.gltf"), file.text()));
     QVERIFY2(read.ok(), qPrintable(messageOf(read)));
     QCOMPARE(read.value().mesh.positions, (PageVector<glm::vec3>{{1, 2, -3}, {100, 0, 0}, {0, 100, 5}}));
+}
+
+void GltfTest::quantisedAndCompressed() {
+    GltfFile file = quantisedFile(false);
+    file.primitive = members(R"({"extensions": {"KHR_draco_mesh_compression": {"bufferView": 0}}})");
+    QJsonObject position = file.accessors[0].toObject();
+    position.remove(QStringLiteral("bufferView"));
+    file.accessors[0] = position;
+    const QString message = messageOf(importMesh(write(QStringLiteral("d.gltf"), file.text())));
+    QVERIFY2(message.contains(QStringLiteral("its POSITION is quantised")), qPrintable(message));
+    QVERIFY2(message.contains(QStringLiteral("Export it without quantisation")), qPrintable(message));
 }
 
 void GltfTest::smallTextureCoordinates_data() {
