@@ -49,7 +49,7 @@ QString FolderFiles::find(const char* name) const {
     if (wanted == m_file) {
         return m_file;
     }
-    const QString direct = resolveInside(m_folder, wanted);
+    QString direct = resolveInside(m_folder, wanted);
     if (!direct.isEmpty() || !m_options.namesAreUris || !wanted.startsWith(m_folder)) {
         return direct;
     }
