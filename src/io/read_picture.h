@@ -8,8 +8,8 @@
 
 namespace hitscope {
 
-/// A picture that a person chose as a texture: PNG, JPEG and what else Qt reads, up to 8192 pixels a side.
-/// The error says why it cannot be one.
+/// A picture that a person chose as a texture, as decodePicture() takes them. The error says why it cannot be
+/// one.
 [[nodiscard]] Result<Image> readPicture(const QString& path);
 
 }  // namespace hitscope

@@ -44,6 +44,7 @@ private Q_SLOTS:
     void readsMapsOfMetalnessAndRoughness();
     void keepsToTheFolder_data();
     void keepsToTheFolder();
+    void readsTga_data();
     void readsTga();
     void notesBrokenPictures();
 
@@ -321,19 +322,28 @@ void MaterialsTest::keepsToTheFolder() {
              qPrintable(imported.notes[0]));
 }
 
-/// 2 x 1 pixels, blue and red; the format has no mark that tells it, and games are full of it.
+void MaterialsTest::readsTga_data() {
+    QTest::addColumn<QByteArray>("tga");
+    // 3 x 1 pixels: blue, red, red.
+    const QByteArray size = QByteArray::fromHex("0300010018");
+    QTest::newRow("one by one") << QByteArray::fromHex("000002000000000000000000") + size +
+                                       QByteArray::fromHex("00ff00000000ff0000ff");
+    QTest::newRow("run lengths") << QByteArray::fromHex("00000a000000000000000000") + size +
+                                        QByteArray::fromHex("0000ff0000810000ff");
+}
+
+/// The format has no mark that tells it, and games are full of it.
 void MaterialsTest::readsTga() {
-    const QByteArray tga =
-        QByteArray::fromHex("000002000000000000000000020001001800") + QByteArray::fromHex("ff00000000ff");
+    QFETCH(QByteArray, tga);
     writeFile(m_folder, QStringLiteral("skin.tga"), tga.toStdString());
-    writeFile(m_folder, QStringLiteral("a.mtl"), "newmtl skin\nmap_Kd skin.tga\n");
+    writeFile(m_folder, QStringLiteral("a.mtl"), "newmtl wood\nmap_Kd skin.tga\nnewmtl tin\n");
     const ImportedMesh imported = read(QStringLiteral("a.mtl"));
     QVERIFY2(imported.notes.isEmpty(), qPrintable(imported.notes.join(u' ')));
     QCOMPARE(imported.mesh.images.size(), std::size_t{1});
     const Image& image = imported.mesh.images[0];
-    QCOMPARE(image.width, 2);
-    QCOMPARE(static_cast<int>(image.pixels[2]), 255);
-    QCOMPARE(static_cast<int>(image.pixels[4]), 255);
+    QCOMPARE(image.width, 3);
+    const std::vector<unsigned char> pixels(image.pixels.begin(), image.pixels.end());
+    QVERIFY((pixels == std::vector<unsigned char>{0, 0, 255, 255, 255, 0, 0, 255, 255, 0, 0, 255}));
     const Result<Image> chosen = readPicture(m_folder + QStringLiteral("/skin.tga"));
     QVERIFY(chosen.ok());
     QVERIFY(chosen.value().pixels == image.pixels);

@@ -1,66 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/readers/textures.h"
 
-#include <QBuffer>
 #include <QFile>
 #include <QImage>
-#include <QImageReader>
-#include <cstring>
 #include <unordered_map>
 #include <unordered_set>
 
+#include "io/decode_picture.h"
 #include "io/file_scope.h"
-#include "io/picture_format.h"
 
 namespace hitscope {
 namespace {
 
-constexpr int kMaxSide = 8192;                         // pixels
-constexpr int kMaxDecodedMegabytes = 600;              // 8192 x 8192 at 64 bits a pixel, and a little
 constexpr std::size_t kMaxAllPixelBytes = 1ull << 30;  // of all pictures of a mesh, decoded
 
-/// Vector formats could name further files, and are no textures.
-bool isPicture(const QByteArray& format) {
-    static const QList<QByteArray> known{"png", "jpg",  "jpeg", "bmp", "gif", "tga",
-                                         "tif", "tiff", "webp", "ppm", "pgm"};
-    return known.contains(format);
-}
-
-Image toImage(const QImage& decoded) {
-    const QImage rgba = decoded.convertToFormat(QImage::Format_RGBA8888);
-    Image image{rgba.width(), rgba.height(), {}};
-    const std::size_t row = 4 * static_cast<std::size_t>(image.width);
-    image.pixels.resize(row * static_cast<std::size_t>(image.height));
-    for (int y = 0; y < image.height; ++y) {
-        std::memcpy(image.pixels.data() + row * static_cast<std::size_t>(y), rgba.constScanLine(y), row);
-    }
-    return image;
-}
-
 /// Null: `why` says why.
-QImage decode(const QByteArray& bytes, QString& why) {
-    QImageReader::setAllocationLimit(kMaxDecodedMegabytes);
-    QBuffer buffer;
-    buffer.setData(bytes);
-    buffer.open(QIODevice::ReadOnly);
-    QImageReader reader(&buffer, pictureFormat(buffer));
-    if (!isPicture(reader.format())) {
-        why = QStringLiteral("it is not a picture of a known format");
-        return {};
-    }
-    const QSize size = reader.size();
-    if (size.width() > kMaxSide || size.height() > kMaxSide) {
-        why = QStringLiteral("it is larger than %1 x %1 pixels").arg(kMaxSide);
-        return {};
-    }
-    const QImage decoded = reader.read();
-    if (decoded.isNull() || decoded.width() > kMaxSide || decoded.height() > kMaxSide) {
-        why = reader.errorString();
-        return {};
-    }
-    return decoded;
-}
-
 QImage decodeFile(const QString& path, QString& why) {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly)) {
@@ -71,19 +25,19 @@ QImage decodeFile(const QString& path, QString& why) {
         why = QStringLiteral("the file is too large");
         return {};
     }
-    return decode(file.readAll(), why);
+    return decodePicture(file.readAll(), why);
 }
 
 std::optional<Image> readPicture(const QString& path, QString& why) {
     const QImage decoded = decodeFile(path, why);
-    return decoded.isNull() ? std::nullopt : std::optional(toImage(decoded));
+    return decoded.isNull() ? std::nullopt : std::optional(imageOf(decoded));
 }
 
 }  // namespace
 
 std::optional<Image> decodeImage(const QByteArray& bytes, QString& why) {
-    const QImage decoded = decode(bytes, why);
-    return decoded.isNull() ? std::nullopt : std::optional(toImage(decoded));
+    const QImage decoded = decodePicture(bytes, why);
+    return decoded.isNull() ? std::nullopt : std::optional(imageOf(decoded));
 }
 
 namespace {
