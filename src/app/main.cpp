@@ -5,6 +5,7 @@
 #include <QMessageBox>
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <span>
 #include <string_view>
 
@@ -48,6 +49,29 @@ bool hasDisplay() {
            !qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM");
 }
 
+/// Returns the status to end with.
+int saysNo(const QString& why) {
+    std::fprintf(stderr, "hitscope: %s\n", qPrintable(why));
+    return 1;
+}
+
+/// While Qt connects to the display: where it cannot, it ends the program by a signal, after a page of
+/// advice.
+void sayWhyThereIsNoWindow(QtMsgType type, const QMessageLogContext& context, const QString& text) {
+    static QString reason;
+    const bool isOfPlatform =
+        context.category != nullptr && std::string_view(context.category).starts_with("qt.qpa");
+    if (type == QtFatalMsg) {
+        std::_Exit(saysNo(QStringLiteral("no window can be opened: %1. hitscope-cli works without a display.")
+                              .arg(reason.isEmpty() ? text.section(u'\n', 0, 0) : reason)));
+    }
+    if (isOfPlatform && reason.isEmpty()) {
+        reason = text.trimmed();
+    } else if (!isOfPlatform) {
+        std::fprintf(stderr, "%s\n", qPrintable(text));
+    }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -63,14 +87,15 @@ int main(int argc, char** argv) {
         return 0;
     }
     if (!hasDisplay()) {
-        std::fputs("hitscope: there is no display to open a window on. hitscope-cli works without one.\n",
-                   stderr);
-        return 1;
+        return saysNo(
+            QStringLiteral("there is no display to open a window on. hitscope-cli works without one."));
     }
 
     // Before the application: Qt makes its shared context with the default format.
     hitscope::MainWindow::setSurfaceFormat();
+    qInstallMessageHandler(sayWhyThereIsNoWindow);
     const QApplication application(argc, argv);
+    qInstallMessageHandler(nullptr);
     QApplication::setApplicationDisplayName(QStringLiteral("Hitscope"));
     QApplication::setDesktopFileName(QStringLiteral("hitscope"));
     QApplication::setStyle(hitscope::makeStyle());
@@ -79,18 +104,16 @@ int main(int argc, char** argv) {
     parser.process(application);
 
     if (const QString platform = QGuiApplication::platformName(); !hasWindows(platform)) {
-        std::fprintf(
-            stderr,
-            "hitscope: Qt's platform \"%s\" has no windows to draw into. Unset QT_QPA_PLATFORM, or set "
-            "it to xcb or wayland; hitscope-cli works without a display.\n",
-            qPrintable(platform));
-        return 1;
+        return saysNo(QStringLiteral("Qt's platform \"%1\" has no windows to draw into. Unset "
+                                     "QT_QPA_PLATFORM, or set it to xcb or wayland; hitscope-cli works "
+                                     "without a display.")
+                          .arg(platform));
     }
     if (const hitscope::Status openGl = hitscope::checkOpenGl(); !openGl) {
-        std::fprintf(stderr, "hitscope: %s\n", openGl.error().message().c_str());
-        QMessageBox::critical(nullptr, QApplication::applicationDisplayName(),
-                              QString::fromStdString(openGl.error().message()));
-        return 1;
+        const QString text = QString::fromStdString(openGl.error().message());
+        const int status = saysNo(text);  // for who sees no box
+        QMessageBox::critical(nullptr, QApplication::applicationDisplayName(), text);
+        return status;
     }
 
     hitscope::Session session;

@@ -31,6 +31,7 @@ private Q_SLOTS:
     void signalsEndInOrder_data();
     void signalsEndInOrder();
     void platformsWithoutWindowsAreNamed();
+    void aDisplayThatIsNotThereIsNamed();
 };
 
 void KeepingTest::settingsAreSavedWhenTheyChange() {
@@ -137,6 +138,24 @@ void KeepingTest::platformsWithoutWindowsAreNamed() {
         const QByteArray said = program.readAllStandardError();
         QVERIFY2(said.contains(platform) && said.contains("QT_QPA_PLATFORM"), said.constData());
     }
+}
+
+/// In one line, and not by a signal.
+void KeepingTest::aDisplayThatIsNotThereIsNamed() {
+    QProcess program;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert(QStringLiteral("DISPLAY"), QStringLiteral(":65535"));
+    environment.remove(QStringLiteral("WAYLAND_DISPLAY"));
+    environment.insert(QStringLiteral("QT_QPA_PLATFORM"), QStringLiteral("xcb"));
+    program.setProcessEnvironment(environment);
+    program.start(qEnvironmentVariable("HITSCOPE_WINDOW"), QStringList());
+    QVERIFY(program.waitForFinished(kPatience));
+    QCOMPARE(program.exitStatus(), QProcess::NormalExit);
+    QCOMPARE(program.exitCode(), 1);
+    const QByteArray said = program.readAllStandardError();
+    QVERIFY2(said.startsWith("hitscope: no window can be opened: ") && said.contains(":65535") &&
+                 said.count('\n') == 1,
+             said.constData());
 }
 
 HITSCOPE_TEST(KeepingTest, QApplication)

@@ -61,7 +61,10 @@ void MeshActions::fill(QMenu& menu) {
     m_scale->setToolTip(tr("Gives the target another size, where it stands, with its hits"));
     m_separate = addAction(menu, tr("S&eparate Objects"), {}, this, [this] { separateObjects(); });
     m_separate->setToolTip(tr("Each object of the file becomes a target of its own, with the hits on it"));
-    m_upright = addAction(menu, tr("Turn &Upright"), {}, this, [this] { stand(turnUpright); });
+    m_upright = addAction(menu, tr("Turn &Upright"), {}, this, [this] {
+        stand(turnUpright);
+        Q_EMIT turned();
+    });
     m_upright->setToolTip(
         tr("For meshes in which z is up: turns the selected targets by a quarter, so that they stand"));
     m_onFloor = addAction(menu, tr("Set on the &Floor"), {}, this, [this] { stand(setOnFloor); });

@@ -30,6 +30,7 @@ public:
 Q_SIGNALS:
     void said(const QString& text);
     void failed(const hitscope::Error& error);
+    void turned();  ///< what is selected may reach out of the picture now
 
 private:
     void show(MeshStepDialog::Kind kind);

@@ -56,6 +56,7 @@ void WindowActions::make(const Parts& parts) {
     shots = new ShotActions(session, viewport, window);
     projectile = new ProjectileActions(session, window);
     mesh = new MeshActions(session, shots->aimPreview(), window);
+    QObject::connect(mesh, &MeshActions::turned, &viewport, &Viewport::frameSelection);
     edit->setEditor(mesh->editor());
     edit->setBrush(viewport.brushTool());
     cameras = new CameraActions(viewport, &window);
