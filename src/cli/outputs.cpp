@@ -179,7 +179,7 @@ Status checkFolders(const Invocation& given) {
     }
     for (const NamedFile& output : filesOf(given, true)) {
         const QFileInfo file(output.path);
-        if (isStandardStream(output.path)) {
+        if (isStandardStream(output.path) || output.as.startsWith(QLatin1String("FOLDER"))) {
             continue;
         }
         if (file.isDir()) {

@@ -274,6 +274,12 @@ int sequence(Invocation& given) {
                            .arg(filmSuffixes().join(QStringLiteral(", .")), place.suffix()));
         return kWrongUsage;
     }
+    if (pictureSuffixes().contains(place.suffix().toLower()) && !place.isDir()) {
+        given.complain(
+            QStringLiteral("sequence writes pictures into a folder, or a film; %1 names a picture.")
+                .arg(place.fileName()));
+        return kWrongUsage;
+    }
     if (namesFilm(given.file(0))) {
         if (Outcome ready = checkFilm(arguments.width, arguments.height); !ready) {
             return finish(ready);  // before the work

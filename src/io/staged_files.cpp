@@ -216,6 +216,12 @@ bool StagedFiles::makeFolder(const QString& path) {
 
 Status StagedFiles::fill(const QString& path, Existing existing, unsigned mode,
                          const std::function<bool(int descriptor)>& write) {
+    struct stat before {};
+    const bool isThere = ::stat(QFile::encodeName(path).constData(), &before) == 0;
+    if (isThere && !S_ISREG(before.st_mode) && !S_ISDIR(before.st_mode)) {  // it would be replaced by a file
+        return Error{"This is a device or a pipe, not a file.", path.toStdString(),
+                     "Name a file; on the command line, - is the standard output."};
+    }
     const QString place = existing == Existing::Replace ? withoutLinks(path) : path;
     const QFileInfo info(place);
     if (info.isDir()) {
@@ -236,11 +242,7 @@ Status StagedFiles::fill(const QString& path, Existing existing, unsigned mode,
     }
     m_files.push_back({place, temporary, existing});
     notePending(temporary);
-    struct stat before {};
-    if (existing == Existing::Replace && ::stat(QFile::encodeName(place).constData(), &before) == 0) {
-        if (!S_ISREG(before.st_mode)) {
-            return cannotSave(path, EINVAL);
-        }
+    if (existing == Existing::Replace && isThere) {
         static_cast<void>(::fchmod(file.get(), before.st_mode & 0777));
     }
     step();

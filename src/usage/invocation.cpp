@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
+#include <vector>
 
 namespace hitscope {
 
@@ -35,6 +38,49 @@ QString orLeaveOut(bool isOptional) {
     return isOptional ? QStringLiteral(" or leave it out") : QString();
 }
 
+/// How many letters have to be typed, left out or replaced (Levenshtein's distance).
+int lettersApart(const QString& a, const QString& b) {
+    std::vector<int> row(static_cast<std::size_t>(b.size()) + 1);
+    std::iota(row.begin(), row.end(), 0);
+    for (qsizetype i = 0; i < a.size(); ++i) {
+        int before = std::exchange(row[0], static_cast<int>(i) + 1);
+        for (std::size_t j = 1; j < row.size(); ++j) {
+            const int replaced = before + (a[i] == b[static_cast<qsizetype>(j) - 1] ? 0 : 1);
+            before = row[j];
+            row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
+        }
+    }
+    return row.back();
+}
+
+/// " Did you mean --random?", where an option that is not known is like one that is; else empty.
+QString suggestion(const Usage& usage, const QStringList& arguments) {
+    constexpr int kAlike = 2;
+    for (const QString& argument : arguments) {
+        const QString name =
+            argument.section(u'=', 0, 0).mid(argument.startsWith(QLatin1String("--")) ? 2 : 1);
+        if (argument == QLatin1String("--")) {
+            break;
+        }
+        const bool isLong = argument.startsWith(QLatin1String("--"));
+        if (!argument.startsWith(u'-') || name.size() < 2 || (isLong && usage.find(name) != nullptr)) {
+            continue;
+        }
+        const UsageOption* nearest = nullptr;
+        int least = std::min<int>(kAlike, static_cast<int>(name.size()) / 2) + 1;
+        for (const UsageOption& option : usage.options) {
+            if (const int apart = lettersApart(name, option.name); apart < least) {
+                least = apart;
+                nearest = &option;
+            }
+        }
+        if (nearest != nullptr) {
+            return QStringLiteral(" Did you mean --%1?").arg(nearest->name);
+        }
+    }
+    return {};
+}
+
 }  // namespace
 
 Invocation::Invocation(const Usage& usage, const QStringList& arguments) : m_usage(usage) {
@@ -48,7 +94,7 @@ Invocation::Invocation(const Usage& usage, const QStringList& arguments) : m_usa
         m_parser.addOption(made);
     }
     if (!m_parser.parse(QStringList{usage.name} + arguments)) {
-        complain(m_parser.errorText());
+        complain(m_parser.errorText() + suggestion(usage, arguments));
         return;
     }
     const qsizetype count = files().size();

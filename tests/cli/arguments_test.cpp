@@ -61,6 +61,10 @@ void ArgumentsTest::wrong_data() {
     row("shoot --script @s.json --flight instant", "--flight is not for --script");
     row("shoot --at 0,0,0 --every 1 @ball.obj", "--every is not for --at");
     row("shoot --scatter 5 --mass 2 @ball.obj", "--mass goes with shots");
+    row("sequence --turntable 2 @new.png @ball.obj", "new.png names a picture");
+    row("shoot --randm 3 @ball.obj", "Did you mean --random?");
+    row("shoot -random 3 @ball.obj", "Did you mean --random?");
+    row("shoot --max_distance=3 @ball.obj", "Did you mean --max-distance?");
     row("export --steps 3 --out @a.obj @one.hitscope", "--steps goes with");
     row("export --all-normals --out @a.ply @one.hitscope", "--all-normals goes with");
     row("convert --all-normals @ball.obj @a.glb", "--all-normals goes with");

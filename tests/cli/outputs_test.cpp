@@ -106,7 +106,8 @@ private Q_SLOTS:
         row("JSON and more", "shoot --json --hits-out - mesh.obj", 2, QStringLiteral("both write"));
         row("swapped", "picture mesh.obj a.png", 2, QStringLiteral("comes first"));
         row("a film", "sequence --turntable 2 a.avi mesh.obj", 2, QStringLiteral(".mp4"));
-        row("no folder", "shoot --random 1 --out none/x.obj mesh.obj", 3, QStringLiteral("no such folder"));
+        row("no folder", "shoot --random 1 --out none/x.obj mesh.obj", 3,
+            QStringLiteral("a folder that is not there"));
     }
     void inputsAreNotReplaced() {
         QFETCH(const QStringList, command);
@@ -137,6 +138,14 @@ private Q_SLOTS:
             QVERIFY2(run.err.contains(QStringLiteral("--out names")), qPrintable(run.err));
             QVERIFY(run.out.isEmpty());
             QVERIFY(!QFileInfo::exists(at("kept.hitscope")));
+        }
+    }
+
+    void devicesAreNotReplaced() {
+        for (const char* device : {"/dev/null", "/dev/stdout"}) {
+            const CliRun run = runCli({"export", "--format", "obj", "--out", device, at("s.hitscope")});
+            QCOMPARE(run.status, 3);
+            QVERIFY2(run.err.contains(QStringLiteral("a device or a pipe")), qPrintable(run.err));
         }
     }
 

@@ -143,7 +143,7 @@ private Q_SLOTS:
         QCOMPARE(changes.size(), exported.size());
         const QStringList a = changes[1].split(u',');
         const QStringList b = exported[1].split(u',');
-        QVERIFY2(std::abs(a[2].toDouble()) > 1.0e18, qPrintable(changes[1]));
+        QVERIFY2(std::abs(a[3].toDouble()) > 1.0e18, qPrintable(changes[1]));
         QCOMPARE(a.mid(1, 10), b.mid(0, 10));  // vertex, original, current, displacement
         QVERIFY(std::abs(a[11].toDouble() / b[10].toDouble() - 1.0) < 1.0e-6);
         const auto scaleOf = [](const QJsonObject& object) {
