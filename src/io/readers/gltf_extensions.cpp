@@ -76,20 +76,6 @@ QStringList picturesOfOtherKinds(const QJsonObject& root) {
     return kinds;
 }
 
-/// Of all that a material has: whether a texture is moved, turned or scaled.
-bool movesTextures(const QJsonValue& part) {
-    const QJsonArray list = part.toArray();
-    const QJsonObject object = part.toObject();
-    const QJsonObject moved = object.value(QLatin1String(kTransform)).toObject();
-    const QJsonArray noOffset{0, 0};
-    const QJsonArray noScale{1, 1};
-    return moved.value(QLatin1String("offset")).toArray(noOffset) != noOffset ||
-           moved.value(QLatin1String("scale")).toArray(noScale) != noScale ||
-           moved.value(QLatin1String("rotation")).toDouble() != 0.0 ||
-           std::any_of(list.begin(), list.end(), movesTextures) ||
-           std::any_of(object.begin(), object.end(), movesTextures);
-}
-
 }  // namespace
 
 QStringList checkGltfExtensions(const QJsonObject& root) {
@@ -116,10 +102,6 @@ QStringList checkGltfExtensions(const QJsonObject& root) {
     }
     for (const QString& kind : picturesOfOtherKinds(root)) {
         notes << QStringLiteral("Textures of a kind that cannot be read (%1) are not shown.").arg(kind);
-    }
-    if (movesTextures(root.value(QLatin1String("materials")))) {
-        notes << QStringLiteral("Textures may lie elsewhere than the file says: %1 is not applied.")
-                     .arg(QLatin1String(kTransform));
     }
     return notes;
 }

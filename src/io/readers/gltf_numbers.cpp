@@ -6,12 +6,15 @@
 #include <algorithm>
 #include <cstring>
 #include <limits>
+#include <map>
 #include <optional>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "io/file_scope.h"
 #include "io/readers/gltf_json.h"
+#include "io/readers/gltf_texture_transform.h"
 
 namespace hitscope {
 namespace {
@@ -75,7 +78,10 @@ private:
     [[nodiscard]] std::uint64_t stepOf(const QJsonObject& accessor) const;
     [[nodiscard]] std::vector<float> floatsOf(const QJsonObject& accessor, bool isNormalised);
     void replaceSome(const QJsonObject& accessor, bool isNormalised, std::vector<float>& values);
+    [[nodiscard]] QJsonObject withFloats(QJsonObject accessor, const std::vector<float>& values);
     void decode(std::size_t accessor, bool isNormalised);
+    void moveTexcoords(QJsonObject& primitive);
+    QJsonArray lookAtPrimitives(const QJsonArray& primitives);
 
     QJsonObject& m_root;
     std::string_view m_binary;
@@ -88,6 +94,9 @@ private:
     QJsonArray m_newAccessors = m_root.value(QLatin1String("accessors")).toArray();
     QJsonArray m_newViews = m_root.value(QLatin1String("bufferViews")).toArray();
     std::string m_decoded;
+    std::vector<MaterialTransform> m_transforms = textureTransformsOf(m_root);
+    std::map<std::pair<std::size_t, std::size_t>, qsizetype>
+        m_moved;  ///< of accessor and material: the new one
 };
 
 std::string_view GltfDecoder::bytesOf(std::size_t buffer) {
@@ -178,23 +187,51 @@ void GltfDecoder::replaceSome(const QJsonObject& accessor, bool isNormalised, st
     }
 }
 
-void GltfDecoder::decode(std::size_t accessor, bool isNormalised) {
-    if (!m_known.insert(accessor).second) {
-        return;
-    }
-    const std::vector<float> values = floatsOf(m_accessors[accessor], isNormalised);
+QJsonObject GltfDecoder::withFloats(QJsonObject accessor, const std::vector<float>& values) {
     const std::size_t bytes = values.size() * sizeof(float);
-    QJsonObject plain = m_accessors[accessor];
     for (const char* const key : {"sparse", "normalized", "byteOffset", "min", "max"}) {
-        plain.remove(QLatin1String(key));
+        accessor.remove(QLatin1String(key));
     }
-    plain[QLatin1String("componentType")] = static_cast<int>(kFloatKind);
-    plain[QLatin1String("bufferView")] = m_newViews.size();
-    m_newAccessors[static_cast<qsizetype>(accessor)] = plain;
+    accessor[QLatin1String("componentType")] = static_cast<int>(kFloatKind);
+    accessor[QLatin1String("bufferView")] = m_newViews.size();
     m_newViews.append(QJsonObject{{QStringLiteral("buffer"), static_cast<qint64>(m_buffers.size())},
                                   {QStringLiteral("byteOffset"), static_cast<qint64>(m_decoded.size())},
                                   {QStringLiteral("byteLength"), static_cast<qint64>(bytes)}});
     m_decoded.append(reinterpret_cast<const char*>(values.data()), bytes);
+    return accessor;
+}
+
+void GltfDecoder::decode(std::size_t accessor, bool isNormalised) {
+    if (m_known.insert(accessor).second) {
+        const QJsonObject& from = m_accessors[accessor];
+        m_newAccessors[static_cast<qsizetype>(accessor)] = withFloats(from, floatsOf(from, isNormalised));
+    }
+}
+
+/// As the primitive's material wants them: textures are looked up at its texture coordinates.
+void GltfDecoder::moveTexcoords(QJsonObject& primitive) {
+    const auto material = static_cast<std::size_t>(primitive.value(QLatin1String("material")).toInteger(-1));
+    QJsonObject attributes = primitive.value(QLatin1String("attributes")).toObject();
+    const QJsonValue texcoords = attributes.value(QLatin1String("TEXCOORD_0"));
+    if (texcoords.isUndefined() || material >= m_transforms.size() ||
+        m_transforms[material].main == TextureTransform()) {
+        return;
+    }
+    const std::size_t accessor = m_accessors.find(texcoords);
+    const auto [moved, isNew] = m_moved.try_emplace({accessor, material}, m_newAccessors.size());
+    if (isNew) {
+        const QJsonObject& from = m_accessors[accessor];
+        const std::uint64_t step = gltfComponentCount(from);
+        std::vector<float> values = floatsOf(from, from.value(QLatin1String("normalized")).toBool());
+        for (std::size_t i = 0; i + 1 < values.size(); i += step) {
+            const glm::vec2 place = m_transforms[material].main.apply({values[i], values[i + 1]});
+            values[i] = place.x;
+            values[i + 1] = place.y;
+        }
+        m_newAccessors.append(withFloats(from, values));
+    }
+    attributes[QLatin1String("TEXCOORD_0")] = moved->second;
+    primitive[QLatin1String("attributes")] = attributes;
 }
 
 /// How many numbers an attribute's value has; 0: that is not looked at.
@@ -242,25 +279,42 @@ void GltfDecoder::lookAt(const QJsonObject& attributes, bool isCompressed) {
     }
 }
 
+QJsonArray GltfDecoder::lookAtPrimitives(const QJsonArray& primitives) {
+    QJsonArray changed;
+    for (const QJsonValue& each : primitives) {
+        QJsonObject primitive = each.toObject();
+        const bool isCompressed = primitive.value(QLatin1String("extensions"))
+                                      .toObject()
+                                      .contains(QLatin1String("KHR_draco_mesh_compression"));
+        lookAt(primitive.value(QLatin1String("attributes")).toObject(), isCompressed);
+        for (const QJsonValue& target : primitive.value(QLatin1String("targets")).toArray()) {
+            lookAt(target.toObject(), false);
+        }
+        const QJsonValue indices = primitive.value(QLatin1String("indices"));
+        if (const QJsonObject* const of =
+                indices.isUndefined() ? nullptr : &m_accessors[m_accessors.find(indices)];
+            of && of->contains(QLatin1String("sparse")) && stepOf(*of) > 0) {
+            throw BadGltf("its indices are sparse and interleaved");
+        }
+        if (!isCompressed) {
+            moveTexcoords(primitive);
+        }
+        changed.append(primitive);
+    }
+    return changed;
+}
+
 std::string GltfDecoder::run() {
     const GltfThings meshes(m_root, "meshes", "a mesh");
+    QJsonArray changed;
     for (std::size_t m = 0; m < meshes.size(); ++m) {
-        for (const QJsonValue& each : meshes[m].value(QLatin1String("primitives")).toArray()) {
-            const QJsonObject primitive = each.toObject();
-            const bool isCompressed = primitive.value(QLatin1String("extensions"))
-                                          .toObject()
-                                          .contains(QLatin1String("KHR_draco_mesh_compression"));
-            lookAt(primitive.value(QLatin1String("attributes")).toObject(), isCompressed);
-            for (const QJsonValue& target : primitive.value(QLatin1String("targets")).toArray()) {
-                lookAt(target.toObject(), false);
-            }
-            const QJsonValue indices = primitive.value(QLatin1String("indices"));
-            if (const QJsonObject* const of =
-                    indices.isUndefined() ? nullptr : &m_accessors[m_accessors.find(indices)];
-                of && of->contains(QLatin1String("sparse")) && stepOf(*of) > 0) {
-                throw BadGltf("its indices are sparse and interleaved");
-            }
-        }
+        QJsonObject mesh = meshes[m];
+        mesh[QLatin1String("primitives")] =
+            lookAtPrimitives(mesh.value(QLatin1String("primitives")).toArray());
+        changed.append(mesh);
+    }
+    if (!m_moved.empty()) {
+        m_root[QLatin1String("meshes")] = changed;
     }
     if (!m_decoded.empty()) {
         QJsonArray buffers = m_root.value(QLatin1String("buffers")).toArray();

@@ -4,12 +4,14 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <algorithm>
 #include <vector>
 
 #include "io/readers/gltf_check.h"
 #include "io/readers/gltf_extensions.h"
 #include "io/readers/gltf_json.h"
 #include "io/readers/gltf_numbers.h"
+#include "io/readers/gltf_texture_transform.h"
 
 namespace hitscope {
 namespace {
@@ -50,6 +52,17 @@ bool addScene(QJsonObject& root) {
     return true;
 }
 
+QStringList notesOnTextures(const QJsonObject& root) {
+    const std::vector<MaterialTransform> materials = textureTransformsOf(root);
+    const bool areMixed = std::any_of(materials.begin(), materials.end(),
+                                      [](const MaterialTransform& material) { return material.isMixed; });
+    return areMixed ? QStringList(QStringLiteral(
+                          "Some textures may lie elsewhere than the file says: where those of a material are "
+                          "moved in several ways (KHR_texture_transform), all are moved as the one that "
+                          "colours it."))
+                    : QStringList();
+}
+
 /// The file with another JSON.
 std::string withJson(const QJsonObject& root, std::string_view file, const GltfParts& parts) {
     std::string json = QJsonDocument(root).toJson(QJsonDocument::Compact).toStdString();
@@ -76,7 +89,7 @@ Result<PreparedGltf> prepareGltf(std::string_view file, const QString& folder) {
         const GltfParts parts = gltfParts(file);
         QJsonObject root = rootOf(parts.json);
         PreparedGltf prepared;
-        prepared.notes = checkGltfExtensions(root);
+        prepared.notes = checkGltfExtensions(root) + notesOnTextures(root);
         const bool hasNewScene = addScene(root);
         prepared.triangles = checkGltf(root, file.size(), folder).triangles;
         prepared.numbers = decodeGltf(root, parts.numbers, folder);
