@@ -92,13 +92,22 @@ Status writeHitFile(const HitRecords& table, const QString& path) {
     return writeWhole(path, isJson ? toJson(table) : toCsv(table));
 }
 
+QString otherTargetFor(const Session& session, const HitRecords& table) {
+    if (table.targets.size() != 1 || session.targets().size() != 1) {
+        return {};
+    }
+    const QString& only = session.targets().front()->name;
+    return only != QString::fromStdString(table.targets.begin()->second) ? only : QString();
+}
+
 Status appendRecords(Session& session, const HitRecords& table) {
+    const QString other = otherTargetFor(session, table);
     std::map<TargetId, TargetId> ids;  // of the table -> of the session
     std::vector<std::string> unknown;
     for (const auto& [id, name] : table.targets) {
-        const auto found = std::find_if(
-            session.targets().begin(), session.targets().end(),
-            [wanted = QString::fromStdString(name)](const auto& target) { return target->name == wanted; });
+        const auto found = std::find_if(session.targets().begin(), session.targets().end(),
+                                        [wanted = other.isEmpty() ? QString::fromStdString(name) : other](
+                                            const auto& target) { return target->name == wanted; });
         if (found == session.targets().end()) {
             unknown.push_back(name);
         } else {
@@ -112,6 +121,7 @@ Status appendRecords(Session& session, const HitRecords& table) {
     std::map<std::uint32_t, HitGroup> groups;  // by its number in the table: of the session
     for (Hit& hit : hits) {
         hit.target = ids[hit.target];
+        hit.triangle = other.isEmpty() ? hit.triangle : kNoIndex;  // the number of one of another mesh
         if (hit.group) {
             const auto [group, isNew] = groups.try_emplace(hit.group.number);
             group->second = isNew ? session.hits().newGroup(hit.group.kind) : group->second;

@@ -23,8 +23,12 @@ namespace hitscope {
 /// As JSON where the name says so, else as CSV; whole or not at all. Of any thread, as the above.
 [[nodiscard]] Status writeHitFile(const HitRecords& table, const QString& path);
 
-/// Appends the table's hits, on the targets of the same names, as one step to undo; its groups
-/// become new ones. All or none: the error says which names no target of the scene has.
+/// Of a table with hits on one target, of a name that the scene does not have: the name of the scene's only
+/// target, to which they go. So hits made on one version of a mesh can be tried on another. Else empty.
+[[nodiscard]] QString otherTargetFor(const Session& session, const HitRecords& table);
+
+/// Appends the table's hits, on the targets of the same names or on otherTargetFor(), as one step to undo;
+/// its groups become new ones. All or none: the error says which names no target of the scene has.
 [[nodiscard]] Status appendRecords(Session& session, const HitRecords& table);
 
 }  // namespace hitscope

@@ -22,6 +22,17 @@
 
 namespace hitscope::cli {
 
+Status takeHits(Session& session, const Result<HitRecords>& table) {
+    if (!table) {
+        return table.error();
+    }
+    if (const QString other = otherTargetFor(session, table.value()); !other.isEmpty()) {
+        note(QStringLiteral("note: the hits are of “%1”, and are applied to “%2”.")
+                 .arg(QString::fromStdString(table.value().targets.begin()->second), other));
+    }
+    return appendRecords(session, table.value());
+}
+
 namespace {
 
 Status addHits(Session& session, const QString& path) {
@@ -29,16 +40,15 @@ Status addHits(Session& session, const QString& path) {
         return Done{};
     }
     if (!isStandardStream(path)) {
-        const Result<HitRecords> hits = readHitFile(path);
-        return hits ? appendRecords(session, hits.value()) : Status(hits.error());
+        return takeHits(session, readHitFile(path));
     }
     const Result<QByteArray> bytes = readAllOf(path, static_cast<qint64>(kMostRecordBytes));
     if (!bytes) {
         return bytes.error();
     }
-    const Result<HitRecords> hits = readHitRecords(
-        {bytes.value().constData(), static_cast<std::size_t>(bytes.value().size())}, pipelineKeys());
-    return hits ? appendRecords(session, hits.value()) : Status(hits.error());
+    return takeHits(
+        session, readHitRecords({bytes.value().constData(), static_cast<std::size_t>(bytes.value().size())},
+                                pipelineKeys()));
 }
 
 /// Constants of the hits to come.

@@ -10,6 +10,7 @@
 #include "cli/repeat_options.h"
 #include "core/result.h"
 #include "deform/pipeline_kind.h"
+#include "io/hit_records.h"
 #include "mesh/refine/refine.h"
 #include "session/flight_mode.h"
 #include "session/session.h"
@@ -51,6 +52,9 @@ struct ShootOptions {
     QString picturePath;  ///< where a picture goes; empty: nowhere
     int samples = 1;      ///< of the picture, as in PictureRequest
 };
+
+/// appendRecords() of what was read, with a note where the hits go to a target of another name.
+[[nodiscard]] Status takeHits(Session& session, const Result<HitRecords>& table);
 
 /// What shoot takes on the command line, and what was given.
 [[nodiscard]] QList<UsageOption> shootOptions();

@@ -6,6 +6,7 @@
 #include "cli/agreement.h"
 #include "cli/common_options.h"
 #include "cli/opened_scene.h"
+#include "cli/shoot.h"
 #include "cli/verbs.h"
 #include "deform/fingerprint.h"
 
@@ -65,11 +66,7 @@ Outcome verify(Invocation& given) {
     }
     Session& session = scene.session();
     if (given.isSet("hits")) {
-        const Result<HitRecords> hits = readHitFile(given.text("hits"));
-        if (!hits) {
-            return hits.error();
-        }
-        if (Status added = appendRecords(session, hits.value()); !added) {
+        if (Status added = takeHits(session, readHitFile(given.text("hits"))); !added) {
             return added;
         }
     }

@@ -237,6 +237,29 @@ private Q_SLOTS:
                 std::string::npos);
         QCOMPARE(session.hits().history().size(), std::size_t{0});
     }
+
+    /// As of a coarser version of the mesh, which has another name.
+    void hitsOfOneTargetGoToTheOnlyOne() {
+        Session session;
+        loadTeapot(session);
+        HitRecords table;
+        table.targets[TargetId{1}] = "bunny";
+        Hit hit;
+        hit.target = TargetId{1};
+        hit.point = {0.1f, 0.2f, 0.3f};
+        hit.triangle = 12;
+        table.hits = {hit};
+        const Target& only = *session.targets().front();
+        QCOMPARE(otherTargetFor(session, table), only.name);
+        QVERIFY(appendRecords(session, table).ok());
+        QVERIFY(session.hits().history().hits()[0].target == only.id);
+        QCOMPARE(session.hits().history().hits()[0].triangle, kNoIndex);
+        table.targets[TargetId{1}] = only.name.toStdString();
+        QVERIFY(otherTargetFor(session, table).isEmpty());
+        table.targets[TargetId{1}] = "bunny";
+        table.targets[TargetId{2}] = "cow";  // which of them would it be?
+        QVERIFY(!appendRecords(session, table).ok());
+    }
 };
 
 HITSCOPE_TEST(HitRecordsTest, QCoreApplication)

@@ -136,13 +136,19 @@ Status HitActions::importText(const QByteArray& text) {
 
 /// from: a path, or words.
 void HitActions::takeRecords(const Result<HitRecords>& table, const QString& from) {
+    const QString other = table ? otherTargetFor(m_session, table.value()) : QString();
     if (!table) {
         Q_EMIT failed(table.error());
     } else if (Status taken = appendRecords(m_session, table.value()); !taken) {
         const Error& error = taken.error();
         Q_EMIT failed({error.what, QFileInfo(from).fileName().toStdString(), error.advice});
     } else {
-        Q_EMIT said(tr("Imported %1 hits from %2").arg(countText(table.value().hits.size()), from));
+        const QString count = countText(table.value().hits.size());
+        Q_EMIT said(other.isEmpty()
+                        ? tr("Imported %1 hits from %2").arg(count, from)
+                        : tr("Imported %1 hits of “%2” from %3 onto %4")
+                              .arg(count, QString::fromStdString(table.value().targets.begin()->second), from,
+                                   other));
     }
 }
 
