@@ -337,6 +337,12 @@ Result<ImportedMesh> readWithAssimp(const QString& path, std::string_view conten
                                     const ProgressSink& progress) {
     const QFileInfo info(path);
     const std::string suffix = info.suffix().toLower().toStdString();
+    constexpr std::string_view kBinaryOfVersion1("glTF\1", 5);
+    if (isGltf(suffix) && content.starts_with(kBinaryOfVersion1)) {  // Assimp takes its lengths for others
+        return Error{"It is binary glTF 1.0, which cannot be read.",
+                     {},
+                     "Save it as glTF 2.0 with the program it came from."};
+    }
     Result<PreparedGltf> prepared = prepare(suffix, content, info.absolutePath());
     if (!prepared) {
         return prepared.error();
@@ -356,12 +362,6 @@ Result<ImportedMesh> readWithAssimp(const QString& path, std::string_view conten
         const std::string why = importer.GetErrorString();
         if (why.find("bad_alloc") != std::string::npos) {
             throw std::bad_alloc();
-        }
-        constexpr std::string_view kBinaryOfVersion1("glTF\1", 5);
-        if (content.starts_with(kBinaryOfVersion1)) {
-            return Error{"It is binary glTF 1.0, which cannot be read.",
-                         {},
-                         "Save it as glTF 2.0 with the program it came from."};
         }
         return unreadable(suffix, why, {});
     }
