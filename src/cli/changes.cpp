@@ -9,6 +9,7 @@
 #include "cli/common_options.h"
 #include "cli/opened_scene.h"
 #include "cli/placement_report.h"
+#include "cli/scene_options.h"
 #include "cli/standard_streams.h"
 #include "cli/target_argument.h"
 #include "cli/verbs.h"
@@ -21,11 +22,6 @@
 namespace hitscope::cli {
 
 namespace {
-
-/// A session's scene, opened as the options of these verbs say.
-Outcome openGiven(OpenedScene& scene, Invocation& given) {
-    return scene.open({given.file(0), givenPipeline(given)});
-}
 
 std::vector<std::uint32_t> changedVertices(const Target& target) {
     std::vector<std::uint32_t> vertices;
@@ -101,9 +97,9 @@ private:
     JsonReport m_report{"changes"};
 };
 
-Outcome changes(Invocation& given) {
+Outcome changes(Invocation& given, const SceneWish& wish) {
     OpenedScene scene;
-    if (Outcome opened = openGiven(scene, given); !opened) {
+    if (Outcome opened = scene.open(wish); !opened) {
         return opened;
     }
     scene.noteDiffering();
@@ -178,9 +174,9 @@ Outcome explainVertex(Invocation& given, const Session& session, const Target& t
                              "The pipeline is not exact on this renderer; try --pipeline reference."});
 }
 
-Outcome explain(Invocation& given, std::uint32_t vertex) {
+Outcome explain(Invocation& given, const SceneWish& wish, std::uint32_t vertex) {
     OpenedScene scene;
-    if (Outcome opened = openGiven(scene, given); !opened) {
+    if (Outcome opened = scene.open(wish); !opened) {
         return opened;
     }
     const Session& session = scene.session();
@@ -212,7 +208,8 @@ bool isOfSession(Invocation& given) {
 }
 
 int runChanges(Invocation& given) {
-    return isOfSession(given) ? finish(changes(given)) : kWrongUsage;
+    const SceneWish wish = givenScene(given, given.file(0));
+    return isOfSession(given) ? finish(changes(given, wish)) : kWrongUsage;
 }
 
 int runExplain(Invocation& given) {
@@ -220,7 +217,9 @@ int runExplain(Invocation& given) {
         given.complain(QStringLiteral("explain needs --vertex, the number of a vertex, from 1."));
     }
     const int vertex = given.wholeNumber("vertex", 1, 2147483647);
-    return isOfSession(given) ? finish(explain(given, static_cast<std::uint32_t>(vertex))) : kWrongUsage;
+    const SceneWish wish = givenScene(given, given.file(0));
+    return isOfSession(given) ? finish(explain(given, wish, static_cast<std::uint32_t>(vertex)))
+                              : kWrongUsage;
 }
 
 }  // namespace
@@ -233,7 +232,7 @@ Verb changesVerb() {
                  "Prints a line for each changed vertex as CSV, or with --json as JSON. Counts vertices from "
                  "1, as in the file, and gives the file's coordinates; \"new\" says which ones refining "
                  "added. Numbers read back to the same bits."),
-             .options = QList<UsageOption>{targetOption(QStringLiteral("all")),
+             .options = QList<UsageOption>{targetOption(QStringLiteral("all")), untilOption(),
                                            pipelineOption(QStringLiteral("the session's"))} +
                         reportOptions(),
              .examples = {{QStringLiteral("Write the changes to a table."),
@@ -254,7 +253,7 @@ Verb explainVerb() {
          .options =
              QList<UsageOption>{
                  valueOption("vertex", "N", QStringLiteral("Number of the vertex in the file, from 1.")),
-                 targetOption(QStringLiteral("the one with the most changed vertices")),
+                 targetOption(QStringLiteral("the one with the most changed vertices")), untilOption(),
                  pipelineOption(QStringLiteral("the session's"))} +
              reportOptions(),
          .examples = {{QStringLiteral("Explain the position of a vertex."),

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What each dent of a session measures, and where a plane cuts a scene.
+// What each dent of a session measures.
 #include <algorithm>
 #include <map>
 
 #include "analysis/dent_hits.h"
 #include "cli/common_options.h"
 #include "cli/opened_scene.h"
+#include "cli/scene_options.h"
+#include "cli/standard_streams.h"
 #include "cli/target_argument.h"
 #include "cli/verbs.h"
 #include "deform/dent_owners.h"
+#include "io/csv_writer.h"
 #include "mesh/dent.h"
 #include "mesh/surface/disjoint_sets.h"
 
@@ -158,9 +161,43 @@ void addDent(JsonReport& report, QString& text, std::size_t number, const Dent& 
             .arg(m.deepest + 1);
 }
 
-Outcome dents(Invocation& given) {
+/// A line for each dent.
+class DentTable {
+public:
+    DentTable() {
+        m_csv.row({"target", "dent", "hits", "depth_m", "rim_diameter_m", "affected_area_m2",
+                   "displaced_volume_m3", "vertices", "deepest_vertex", "deepest_was_at_x",
+                   "deepest_was_at_y", "deepest_was_at_z"});
+    }
+
+    void add(const Target& target, std::size_t number, const Dent& dent) {
+        const DentMeasures& m = dent.measures;
+        const glm::vec3 at = target.deformed.original().positions[m.deepest];
+        m_csv.text(target.name.toStdString()).count(number);
+        m_csv.text(hitNumbers(dent.hits));
+        m_csv.exact(m.depth).exact(m.rimDiameter).exact(m.affectedArea).exact(m.displacedVolume);
+        m_csv.count(m.vertices).count(std::uint64_t{m.deepest} + 1);
+        m_csv.exact(at.x).exact(at.y).exact(at.z).endRow();
+    }
+
+    [[nodiscard]] std::string take() { return m_csv.take(); }
+
+private:
+    /// "3 4 9"
+    static std::string hitNumbers(const std::vector<std::size_t>& hits) {
+        std::string text;
+        for (const std::size_t hit : hits) {
+            text += (text.empty() ? "" : " ") + std::to_string(hit + 1);
+        }
+        return text;
+    }
+
+    CsvWriter m_csv;
+};
+
+Outcome dents(Invocation& given, const SceneWish& wish) {
     OpenedScene scene;
-    if (Outcome opened = scene.open({given.file(0), givenPipeline(given)}); !opened) {
+    if (Outcome opened = scene.open(wish); !opened) {
         return opened;
     }
     const Result<std::vector<const Target*>> targets = targetsNamed(scene.session(), given.text("target"));
@@ -168,6 +205,7 @@ Outcome dents(Invocation& given) {
         return targets.error();
     }
     JsonReport report("dents");
+    DentTable table;
     QString text;
     report.beginArray("targets");
     for (const Target* target : targets.value()) {
@@ -176,19 +214,25 @@ Outcome dents(Invocation& given) {
         report.beginObject().text("name", target->name).beginArray("dents");
         for (std::size_t i = 0; i < found.size(); ++i) {
             addDent(report, text, i + 1, found[i], *target);
+            table.add(*target, i + 1, found[i]);
         }
         report.endArray().endObject();
     }
     report.endArray();
+    if (given.isSet("csv")) {
+        if (Status written = writeAllTo(given.text("csv"), table.take()); !written) {
+            return written;
+        }
+    }
     return giveReport(given, report, text.isEmpty() ? QStringLiteral("There are no dents.\n") : text);
 }
 
 int runDents(Invocation& given) {
     if (!namesSession(given.file(0))) {
         given.complain(QStringLiteral("dents takes a session (.hitscope, or - for the standard input)."));
-        return kWrongUsage;
     }
-    return finish(dents(given));
+    const SceneWish wish = givenScene(given, given.file(0));
+    return given.error().isEmpty() ? finish(dents(given, wish)) : kWrongUsage;
 }
 
 }  // namespace
@@ -202,11 +246,15 @@ Verb dentsVerb() {
                  "its axis, diameter of the rim, original area, volume between original and "
                  "deformed surface, and its hits. Where dents overlap, each is the part that its hit "
                  "moved most."),
-             .options = QList<UsageOption>{targetOption(QStringLiteral("all")),
-                                           flagOption("merged", QStringLiteral("Measure overlapping dents as "
-                                                                               "one.")),
-                                           pipelineOption(QStringLiteral("the session's"))} +
-                        reportOptions(),
+             .options =
+                 QList<UsageOption>{
+                     targetOption(QStringLiteral("all")),
+                     flagOption("merged", QStringLiteral("Measure overlapping dents as "
+                                                         "one.")),
+                     outputOption("csv",
+                                  QStringLiteral("Write a line for each dent; - for the standard output.")),
+                     untilOption(), pipelineOption(QStringLiteral("the session's"))} +
+                 reportOptions(),
              .examples = {{QStringLiteral("Measure every dent of a session."),
                            QStringLiteral("hitscope-cli dents dents.hitscope")}},
              .leastFiles = 1,

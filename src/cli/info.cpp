@@ -199,6 +199,7 @@ Outcome describeFiles(Invocation& given) {
     QString text;
     report.beginArray("files");
     Outcome first = Done{};  // of the files that cannot be read, which keep nobody from the others
+    std::vector<std::pair<QString, QString>> failed;  // those files, and why
     for (const QString& path : given.files()) {
         QString described;
         QTextStream out(&described);
@@ -210,11 +211,18 @@ Outcome describeFiles(Invocation& given) {
         }
         if (outcome) {
             text += (text.isEmpty() ? QString() : QStringLiteral("\n")) + described;
-        } else if (first) {
+            continue;
+        }
+        failed.emplace_back(path, QString::fromStdString(outcome.error().message()));
+        if (first) {
             first = outcome;
         } else {
             finish(outcome);
         }
+    }
+    report.endArray().beginArray("failed");
+    for (const auto& [path, why] : failed) {
+        report.beginObject().text("file", path).text("error", why).endObject();
     }
     report.endArray();
     if (first || given.files().size() > 1) {

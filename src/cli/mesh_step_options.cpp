@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/mesh_step_options.h"
 
+#include <optional>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "cli/command_line.h"
+#include "cli/progress_line.h"
 #include "document/mesh_step_fields.h"
 #include "mesh/mesh_objects.h"
 #include "session/mesh_steps/mesh_edit.h"
@@ -49,16 +50,27 @@ bool givenZUp(Invocation& given) {
     return given.word("up") == 1;
 }
 
-QList<UsageOption> meshStepOptions() {
-    return {flagOption("separate",
-                       QStringLiteral("Before shooting, split each mesh into one target for each object.")),
-            valueOption("refine", "METRES",
-                        QStringLiteral("Before shooting, refine the meshes until no edge is longer.")),
-            wordOption("refine-by", "METHOD", refineWords(),
-                       QStringLiteral("How --refine adds vertices: midpoint and longest-edge keep the shape, "
-                                      "butterfly rounds it."),
-                       refineWords().front())};
+UsageOption separateOption() {
+    return flagOption("separate",
+                      QStringLiteral("Before shooting, split each mesh into one target for each object."));
 }
+
+QList<UsageOption> meshStepOptions() {
+    return {
+        valueOption("simplify", "PERCENT",
+                    QStringLiteral("Simplify the mesh first, to about this percentage of its triangles.")),
+        valueOption("refine", "METRES",
+                    QStringLiteral("Refine the mesh first, until no edge is longer; after --simplify.")),
+        wordOption("refine-by", "METHOD", refineWords(),
+                   QStringLiteral("How --refine adds vertices: midpoint and longest-edge keep the shape, "
+                                  "butterfly rounds it."),
+                   refineWords().front()),
+        valueOption("smooth", "PASSES",
+                    QStringLiteral("Smooth the mesh first, 1 to %1 passes; after --simplify and --refine.")
+                        .arg(SmoothOptions::kMostPasses))};
+}
+
+namespace {
 
 std::optional<RefineOptions> givenRefinement(Invocation& given) {
     const std::optional<double> length = given.numberIfSet("refine", 0.0, kMostLength);
@@ -76,6 +88,56 @@ std::optional<RefineOptions> givenRefinement(Invocation& given) {
                          .edgeLength = static_cast<float>(*length),
                          .keepQuads = method == RefineMethod::Midpoint,
                          .region = {}};
+}
+
+std::optional<SimplifyOptions> givenSimplifying(Invocation& given) {
+    const std::optional<double> percent = given.numberIfSet("simplify", 0.0, 100.0);
+    if (!percent) {
+        return std::nullopt;
+    }
+    const auto share = static_cast<float>(*percent / 100.0);
+    if (!(share > 0.0f && share < 1.0f)) {
+        given.complain(QStringLiteral("--simplify takes a percentage above 0 and below 100."));
+    }
+    return SimplifyOptions{.share = share, .region = {}};
+}
+
+/// "Simplifying"
+QString doing(const MeshStep& step) {
+    return std::holds_alternative<SimplifyOptions>(step) ? QStringLiteral("Simplifying")
+           : std::holds_alternative<RefineOptions>(step) ? QStringLiteral("Refining")
+                                                         : QStringLiteral("Smoothing");
+}
+
+Status change(Session& session, TargetId id, const MeshStep& step) {
+    const Target& target = *session.targets().find(id);
+    const MeshEdit edit = meshEdit(session, id, step);
+    ProgressLine progress(doing(step));
+    Result<EditedMesh> made = edited(*target.shape.mesh, edit, [&progress](double share) {
+        progress.show(static_cast<int>(100.0 * share));
+        return true;
+    });
+    progress.hide();
+    return made ? takeEdited(session, stateWith(target, std::move(made).value()), edit)
+                : Status(made.error());
+}
+
+}  // namespace
+
+std::vector<MeshStep> givenMeshSteps(Invocation& given) {
+    std::vector<MeshStep> steps;
+    if (const auto simplifying = givenSimplifying(given)) {
+        steps.emplace_back(*simplifying);
+    }
+    if (const auto refinement = givenRefinement(given)) {
+        steps.emplace_back(*refinement);
+    }
+    if (given.isSet("smooth")) {
+        SmoothOptions smoothing;
+        smoothing.passes = given.wholeNumber("smooth", 1, SmoothOptions::kMostPasses);
+        steps.emplace_back(smoothing);
+    }
+    return steps;
 }
 
 Status turnAllUpright(Session& session) {
@@ -104,16 +166,12 @@ Status separateAll(Session& session) {
     return Done{};
 }
 
-Status refineAll(Session& session, const RefineOptions& options) {
-    for (const TargetId id : idsOf(session)) {
-        const Target& target = *session.targets().find(id);
-        const MeshEdit edit = meshEdit(session, id, options);
-        Result<EditedMesh> made = edited(*target.shape.mesh, edit);
-        if (!made) {
-            return made.error();
-        }
-        if (Status taken = takeEdited(session, stateWith(target, std::move(made).value()), edit); !taken) {
-            return taken;
+Status changeAll(Session& session, const std::vector<MeshStep>& steps) {
+    for (const MeshStep& step : steps) {
+        for (const TargetId id : idsOf(session)) {  // which a step gives new numbers
+            if (Status changed = change(session, id, step); !changed) {
+                return changed;
+            }
         }
     }
     return Done{};

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
+#include <vector>
 
 #include "core/result.h"
-#include "mesh/refine/refine.h"
+#include "session/mesh_steps/mesh_step.h"
 #include "session/session.h"
 #include "usage/invocation.h"
 
@@ -15,13 +15,15 @@ namespace hitscope::cli {
 [[nodiscard]] bool givenZUp(Invocation& given);
 /// All targets of the session together.
 [[nodiscard]] Status turnAllUpright(Session& session);
-/// --separate, --refine, --refine-by: what is done to meshes before they are shot at.
+/// --separate
+[[nodiscard]] UsageOption separateOption();
+/// --simplify, --refine, --refine-by, --smooth: what is done to meshes as they are read.
 [[nodiscard]] QList<UsageOption> meshStepOptions();
-/// Nothing: it is not asked for.
-[[nodiscard]] std::optional<RefineOptions> givenRefinement(Invocation& given);
+/// In the order in which they are done; empty: none is asked for.
+[[nodiscard]] std::vector<MeshStep> givenMeshSteps(Invocation& given);
 /// The objects of each target that has several become targets.
 [[nodiscard]] Status separateAll(Session& session);
-/// All targets of the session, whole.
-[[nodiscard]] Status refineAll(Session& session, const RefineOptions& options);
+/// One step after the other, on all targets of the session, whole.
+[[nodiscard]] Status changeAll(Session& session, const std::vector<MeshStep>& steps);
 
 }  // namespace hitscope::cli

@@ -6,6 +6,7 @@
 #include "cli/common_options.h"
 #include "cli/cut_argument.h"
 #include "cli/mesh_step_options.h"
+#include "cli/scene_options.h"
 #include "deform/change_quantity.h"
 #include "scene/picture.h"
 #include "view/camera_text.h"
@@ -168,7 +169,7 @@ QList<UsageOption> pictureOptions() {
         options << flagOption(flag.option, QString::fromLatin1(flag.help));
     }
     options << changeOptions() << pipelineOption(QStringLiteral("the session's, or transform-feedback"))
-            << valueOption("until", "N", QStringLiteral("Apply only the first N hits of a session."))
+            << untilOption()
             << valueOption("shots", "N", QStringLiteral("Number of shots before the picture, 0 to 100000."),
                            QStringLiteral("0"))
             << valueOption("seed", "NUMBER", QStringLiteral("Seed of the random shots."),
@@ -178,13 +179,7 @@ QList<UsageOption> pictureOptions() {
 
 PictureArguments readPictureArguments(Invocation& given, const QString& scene) {
     PictureArguments arguments;
-    arguments.scene = {scene, givenPipeline(given)};
-    if (given.isSet("until")) {
-        arguments.scene.until = static_cast<std::size_t>(given.wholeNumber("until", 0, 2147483647));
-        if (!namesSession(scene)) {
-            given.complain(QStringLiteral("--until goes with a session."));
-        }
-    }
+    arguments.scene = givenScene(given, scene);
     arguments.isZUp = givenZUp(given);
     readSize(given, arguments);
     arguments.samples = given.wholeNumber("samples", 1, kMostSamples);

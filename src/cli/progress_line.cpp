@@ -19,11 +19,14 @@ ProgressLine::~ProgressLine() {
 
 void ProgressLine::show(int done) {
     constexpr qint64 kBetween = 100;  // milliseconds: more often nobody reads it
-    if (!m_isWanted || (m_since.isValid() && m_since.elapsed() < kBetween && done < m_count)) {
+    const bool isLast = m_count != kPercent && done >= m_count;
+    if (!m_isWanted || (m_since.isValid() && m_since.elapsed() < kBetween && !isLast)) {
         return;
     }
     m_since.start();
-    const QString line = QStringLiteral("%1: %2 of %3").arg(m_doing).arg(done).arg(m_count);
+    const QString line = m_count == kPercent
+                             ? QStringLiteral("%1: %2 %").arg(m_doing).arg(done)
+                             : QStringLiteral("%1: %2 of %3").arg(m_doing).arg(done).arg(m_count);
     QTextStream(stderr) << '\r' << line.leftJustified(m_shown);
     m_shown = line.size();
 }

@@ -12,6 +12,8 @@ class ProgressLine {
 public:
     /// "Drawing", 120: shown as "Drawing: 7 of 120".
     ProgressLine(const QString& doing, int count);
+    /// "Refining": shown as "Refining: 7 %", of 100.
+    explicit ProgressLine(const QString& doing) : ProgressLine(doing, kPercent) {}
     ~ProgressLine();
     ProgressLine(const ProgressLine&) = delete;
     ProgressLine& operator=(const ProgressLine&) = delete;
@@ -20,6 +22,8 @@ public:
     void hide();  ///< for what else is said meanwhile
 
 private:
+    static constexpr int kPercent = -1;
+
     QString m_doing;
     int m_count;
     bool m_isWanted;

@@ -6,6 +6,7 @@
 #include "cli/agreement.h"
 #include "cli/common_options.h"
 #include "cli/opened_scene.h"
+#include "cli/scene_options.h"
 #include "cli/verbs.h"
 
 namespace hitscope::cli {
@@ -66,10 +67,7 @@ Outcome replay(Invocation& given, const SceneWish& wish, const QString& out) {
 }
 
 int runReplay(Invocation& given) {
-    SceneWish wish{given.file(0), givenPipeline(given)};
-    if (given.isSet("until")) {
-        wish.until = static_cast<std::size_t>(given.wholeNumber("until", 0, 2147483647));
-    }
+    const SceneWish wish = givenScene(given, given.file(0));
     if (!namesSession(wish.path)) {
         given.complain(QStringLiteral("replay takes a session (.hitscope, or - for the standard input)."));
     }
@@ -90,8 +88,7 @@ Verb replayVerb() {
              "and of the positions. Exits with 1 if the positions differ from the saved ones."),
          .options =
              QList<UsageOption>{
-                 pipelineOption(QStringLiteral("the session's")),
-                 valueOption("until", "N", QStringLiteral("Apply only the first N hits.")),
+                 pipelineOption(QStringLiteral("the session's")), untilOption(),
                  outputOption(
                      "out",
                      QStringLiteral("Write the target that changed most, in the format of the suffix."))} +

@@ -7,6 +7,7 @@
 #include "cli/cut_argument.h"
 #include "cli/opened_scene.h"
 #include "cli/placement_report.h"
+#include "cli/scene_options.h"
 #include "cli/section_drawing.h"
 #include "cli/standard_streams.h"
 #include "cli/target_argument.h"
@@ -64,11 +65,9 @@ JsonReport reportOf(const Session& session, const SceneSection& section) {
     return report;
 }
 
-Outcome section(Invocation& given, const CuttingPlane& cut) {
+Outcome section(Invocation& given, const SceneWish& wish, const CuttingPlane& cut) {
     OpenedScene scene;
-    if (Outcome opened =
-            scene.open({.path = given.file(0), .pipeline = givenPipeline(given), .isMeshAlone = true});
-        !opened) {
+    if (Outcome opened = scene.open(wish); !opened) {
         return opened;
     }
     const Result<std::vector<const Target*>> targets = targetsNamed(scene.session(), given.text("target"));
@@ -108,7 +107,9 @@ int runSection(Invocation& given) {
                 : QStringLiteral("section needs --plane, as in x=0.1."));
         return kWrongUsage;
     }
-    return finish(section(given, *cut));
+    SceneWish wish = givenScene(given, given.file(0));
+    wish.isMeshAlone = true;
+    return given.error().isEmpty() ? finish(section(given, wish, *cut)) : kWrongUsage;
 }
 
 }  // namespace
@@ -134,7 +135,8 @@ Verb sectionVerb() {
                      "svg",
                      QStringLiteral(
                          "Write a drawing to scale, in millimetres on paper; - for the standard output.")),
-                 targetOption(QStringLiteral("all")), pipelineOption(QStringLiteral("the session's"))} +
+                 targetOption(QStringLiteral("all")), untilOption(),
+                 pipelineOption(QStringLiteral("the session's"))} +
              reportOptions(),
          .examples = {{QStringLiteral("Write a profile as a drawing and a table."),
                        QStringLiteral("hitscope-cli section --plane z=0 --svg profile.svg --csv profile.csv "

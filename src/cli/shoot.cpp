@@ -76,10 +76,8 @@ Status prepare(Session& session, const ShootOptions& options) {
             return separated;
         }
     }
-    if (options.refinement) {
-        if (Status refined = refineAll(session, *options.refinement); !refined) {
-            return refined;
-        }
+    if (Status changed = changeAll(session, options.meshSteps); !changed) {
+        return changed;
     }
     if (Status set = setConstants(session, options); !set) {
         return set;

@@ -11,8 +11,8 @@
 #include "core/result.h"
 #include "deform/pipeline_kind.h"
 #include "io/hit_records.h"
-#include "mesh/refine/refine.h"
 #include "session/flight_mode.h"
+#include "session/mesh_steps/mesh_step.h"
 #include "session/session.h"
 #include "session/shots/shot_script.h"
 #include "usage/invocation.h"
@@ -23,11 +23,11 @@ namespace hitscope::cli {
 struct ShootOptions {
     enum class Shots : std::uint8_t { None, Burst, Random, At, Script };
 
-    QString scenePath;                        ///< as SceneWish has it
-    bool isZUp = false;                       ///< z points up in the file
-    bool separates = false;                   ///< objects become targets
-    std::optional<RefineOptions> refinement;  ///< of all targets; nothing: they stay
-    QString hitsPath;                         ///< hits that come before the shots; empty: none
+    QString scenePath;                ///< as SceneWish has it
+    bool isZUp = false;               ///< z points up in the file
+    bool separates = false;           ///< objects become targets
+    std::vector<MeshStep> meshSteps;  ///< done to all targets, in order
+    QString hitsPath;                 ///< hits that come before the shots; empty: none
     Shots shots = Shots::Burst;
     QString scriptPath;
     int count = 20;      ///< of a burst, of random shots

@@ -174,7 +174,7 @@ QList<UsageOption> shootOptions() {
         options << parameterOption(parameter,
                                    QStringLiteral("the session's, or %1").arg(parameter.defaultValue));
     }
-    options << formOptions() << upOption() << meshStepOptions() << repeatOptions();
+    options << formOptions() << upOption() << separateOption() << meshStepOptions() << repeatOptions();
     options << flagOption("absolute",
                           QStringLiteral("Use the constants in metres on any target. Otherwise they apply to "
                                          "a target of 5 m and scale with the target."));
@@ -230,7 +230,7 @@ ShootOptions readShootOptions(Invocation& given) {
     options.form = givenForm(given);
     options.isZUp = givenZUp(given);
     options.separates = given.isSet("separate");
-    options.refinement = givenRefinement(given);
+    options.meshSteps = givenMeshSteps(given);
     options.repeat = givenRepeat(given);
     options.absolute = given.isSet("absolute");
     options.projectile = parametersOf(given, projectileParameters(), false);

@@ -192,7 +192,12 @@ private Q_SLOTS:
         QCOMPARE(run.status, 3);
         QCOMPARE(run.out.count(QStringLiteral("good.obj")), 2);
         QVERIFY2(run.err.contains(QStringLiteral("bad.obj")), qPrintable(run.err));
-        QCOMPARE(jsonOf(runCli({"info", "--json", good, bad}))["files"].toArray().size(), 1);
+        const QJsonObject report = jsonOf(runCli({"info", "--json", good, bad}));
+        QCOMPARE(report["files"].toArray().size(), 1);
+        const QJsonArray failed = report["failed"].toArray();
+        QCOMPARE(failed.size(), 1);
+        QCOMPARE(failed[0].toObject()["file"].toString(), bad);
+        QVERIFY(!failed[0].toObject()["error"].toString().isEmpty());
     }
 
     /// Another name would be written.
