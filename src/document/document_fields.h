@@ -74,7 +74,7 @@ private:
             visit.word("shape", mesh.kind, document_words::kPrimitives);
             const PrimitiveTraits& traits = traitsOf(mesh.kind);
             visit.number("resolution", mesh.resolution, traits.least, traits.most);
-            visit.number("size", mesh.size, 1.0e-6, 1.0e9);
+            visit.number("size", mesh.size, Primitive::kLeastSize, Primitive::kMostSize);
         } else if constexpr (std::is_same_v<Kind, BuiltInMesh>) {
             visit.require("mesh");
             visit.word("mesh", mesh, document_words::kBuiltInMeshes);
@@ -133,7 +133,7 @@ struct Fields<SavedTarget> {
         visit.object("source", target.source);
         visit.object("placement", target.placement);
         if (Visit::reads() || !target.steps.empty()) {
-            visit.list("mesh_steps", "mesh step", target.steps, SessionDocument::kMostSteps);
+            visit.list("mesh_steps", "mesh step", target.steps, kMostMeshSteps);
         }
         visit.rows("textures", "texture", target.textures, SessionDocument::kMostTextures);
         visit.vector("position", target.transform.position);

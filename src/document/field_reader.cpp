@@ -172,10 +172,11 @@ void FieldReader::takeText(std::string_view key, const JsonValue& from, std::str
         return;
     }
     std::string text = from.text();
-    if (text.size() > SessionDocument::kMostText || text.find('\0') != std::string::npos) {
-        failAt(key, from, "is too long, or has a character that no name has.");
+    if (text.size() > SessionDocument::kMostText) {
+        failAt(key, from, "is too long.");
         return;
     }
+    std::erase(text, '\0');  // a mesh file may have one in an object's name
     value = std::move(text);
 }
 

@@ -107,13 +107,14 @@ void makeAbsolute(SessionDocument& document, const QString& folder) {
     }
 }
 
-/// A journal is told the time only now and then: no hit is later than now.
+/// A journal is told the time only now and then: no hit is later than now. Hits may come from elsewhere, with
+/// a time so long that the next step would add nothing to it.
 double timeOf(const SessionDocument& document) {
     double time = document.simulation.time;
     for (const Hit& hit : document.hits) {
         time = std::max(time, hit.time);
     }
-    return time;
+    return std::min(time, SimulationSettings::kLongest);
 }
 
 Error cancelled() {

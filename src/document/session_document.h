@@ -120,7 +120,6 @@ struct SessionDocument {
     static constexpr std::uint32_t kMostId = 0x7fffffffu;  ///< of a target
     static constexpr std::size_t kMostTargets = 100'000;
     static constexpr std::size_t kMostHits = 10'000'000;
-    static constexpr std::size_t kMostSteps = 1'000;        ///< of a target's mesh
     static constexpr std::size_t kMostTextures = 10'000;    ///< of a target
     static constexpr std::size_t kMostCameras = 1'000;      ///< kept
     static constexpr std::size_t kMostText = 10'000;        ///< bytes of a name or a path

@@ -63,16 +63,15 @@ const TargetPlan* SourceMeshes::planOf(const SavedTarget& target) {
     const std::string key = keyOf(target);
     auto made = m_made.find(key);
     if (made == m_made.end()) {
-        made = m_made.emplace(key, make(target)).first;
+        const std::size_t first = m_troubles.size();
+        std::optional<TargetPlan> plan = make(target);
+        made = m_made.emplace(key, Made{std::move(plan), first, m_troubles.size()}).first;
     } else {
-        for (MeshTrouble& trouble : m_troubles) {
-            const auto* file = std::get_if<MeshFile>(&target.source.mesh);
-            if (trouble.path == (file != nullptr ? file->path : QString())) {
-                trouble.targets.push_back(target.id);
-            }
+        for (std::size_t i = made->second.firstTrouble; i < made->second.endOfTroubles; ++i) {
+            m_troubles[i].targets.push_back(target.id);
         }
     }
-    return made->second ? &*made->second : nullptr;
+    return made->second.plan ? &*made->second.plan : nullptr;
 }
 
 std::optional<TargetPlan> SourceMeshes::make(const SavedTarget& target) {
@@ -105,6 +104,12 @@ std::optional<TargetPlan> SourceMeshes::make(const SavedTarget& target) {
 std::optional<MeshData> SourceMeshes::stepped(const SavedTarget& target, MeshData mesh, MeshSteps& steps) {
     for (const MeshStep& step : target.steps) {
         steps.push_back(std::make_shared<const MeshStep>(step));
+    }
+    if (!target.placement.isIdentity()) {
+        if (const Status valid = validate(mesh); !valid) {  // moved or scaled to infinity
+            note(target, MeshTrouble::Kind::Missing, valid.error());
+            return std::nullopt;
+        }
     }
     if (steps.empty()) {
         return mesh;

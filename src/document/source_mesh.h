@@ -39,7 +39,12 @@ private:
     const PrepareControl& m_control;
     std::vector<MeshTrouble>& m_troubles;
     QStringList& m_notes;
-    std::map<std::string, std::optional<TargetPlan>> m_made;  ///< by what it was made from
+    struct Made {
+        std::optional<TargetPlan> plan;
+        std::size_t firstTrouble = 0;  ///< of those that it met
+        std::size_t endOfTroubles = 0;
+    };
+    std::map<std::string, Made> m_made;  ///< by what it was made from
 };
 
 }  // namespace hitscope

@@ -190,8 +190,10 @@ Status putOnTurntable(Session& session, TargetId id) {
     }
     const Bounds box = target->worldBounds();
     const float size = kRim * std::max(box.size().x, box.size().z);
-    if (!(size > 0.0f)) {
-        return Error{"The target has no width.", "", "Select another one."};
+    if (!(size >= Primitive::kLeastSize && size <= Primitive::kMostSize)) {
+        return Error{size > 1.0f ? "The target is too wide for a turntable."
+                                 : "The target is too narrow for a turntable.",
+                     "", "Select another one, or scale it."};
     }
     const float height = kTurntableFlatness * size;
     TargetPlan table =

@@ -14,7 +14,9 @@ enum class PrimitiveKind : std::uint8_t { Cube, UvSphere, GeodesicSphere, Torus,
 struct Primitive {
     PrimitiveKind kind = PrimitiveKind::Cube;
     int resolution = 32;  ///< within the kind's range, or it is brought there
-    float size = 5.0f;    ///< metres: its largest extent, > 0
+    static constexpr float kLeastSize = 1.0e-6f;
+    static constexpr float kMostSize = 1.0e9f;
+    float size = 5.0f;  ///< metres: its largest extent, from kLeastSize to kMostSize
 
     bool operator==(const Primitive&) const = default;
 };

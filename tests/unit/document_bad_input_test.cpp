@@ -160,7 +160,6 @@ void addForms(const Row& row) {
     row("no code", with("Löwe", "L\\u12"), "A text has \\u without a character.");
     row("escape of nothing", with("Löwe", "L\\we"), "A text has a backslash that means nothing.");
     row("line in text", with("Löwe", "L\none"), "A text has a control character, or does not end.");
-    row("zero in text", with("Löwe", "L\\u0000we"), "target 1, name: It is too long, or has a character");
     row("long text", with("Löwe", QByteArray(20'000, 'x').constData()), "target 1, name: It is too long");
     row("deep", QByteArray(100'000, '['), "There are more than 64 brackets within each other.");
     row("deep object", QByteArray("{\"a\":").repeated(100'000), "There are more than 64 brackets");

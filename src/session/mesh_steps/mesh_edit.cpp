@@ -2,6 +2,7 @@
 #include "session/mesh_steps/mesh_edit.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 #include "deform/dent_shape.h"
@@ -166,6 +167,10 @@ TargetState stateWith(const TargetState& target, EditedMesh mesh) {
 Status takeEdited(Session& session, const TargetState& state, const MeshEdit& edit) {
     if (session.targets().find(state.id) == nullptr) {
         return Error{"The target is not there any more.", "", "Nothing was changed."};
+    }
+    if (state.steps.size() > kMostMeshSteps) {
+        return Error{"The mesh was changed " + std::to_string(kMostMeshSteps) + " times already.", "",
+                     "Export it, and go on with the exported mesh."};
     }
     const bool applies = edit.appliesHits || std::holds_alternative<MergedHits>(edit.step);
     const std::vector<Hit> now = meshEdit(session, state.id, edit.step).hits;

@@ -49,7 +49,8 @@ struct EditedMesh {
 [[nodiscard]] TargetState stateWith(const TargetState& target, EditedMesh mesh);
 
 /// Gives the target of that state its mesh, as one step to undo; hits stay but for those that were applied,
-/// selected vertices where their numbers hold. Errors: the target is gone, or its hits are others.
+/// selected vertices where their numbers hold. Errors: the target is gone, its hits are others, or it has
+/// more than kMostMeshSteps.
 [[nodiscard]] Status takeEdited(Session& session, const TargetState& state, const MeshEdit& edit);
 
 }  // namespace hitscope

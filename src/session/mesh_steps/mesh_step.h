@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -30,6 +31,9 @@ struct OnlyObject {
 using MeshStep = std::variant<RefineOptions, SimplifyOptions, SmoothOptions, MergedHits, OnlyObject>;
 /// In the order in which they were done.
 using MeshSteps = std::vector<std::shared_ptr<const MeshStep>>;
+
+/// More are not done to one target, nor read from a session.
+inline constexpr std::size_t kMostMeshSteps = 1'000;
 
 /// What a step makes of a mesh. On any thread. Errors: those of refine(), simplify() and smooth(); hits that
 /// leave a coordinate that is not finite; an object that the mesh does not have.

@@ -115,6 +115,10 @@ Result<SeparatedObjects> separated(const TargetState& target, std::vector<Hit> h
                          std::to_string(kMostParts) + " can become targets.",
                      "", "Join some of them in a modelling program."};
     }
+    if (target.steps.size() >= kMostMeshSteps) {
+        return Error{"The mesh was changed " + std::to_string(kMostMeshSteps) + " times already.", "",
+                     "Export it, and go on with the exported mesh."};
+    }
     SeparatedObjects made{target, std::move(hits), {}, {}, {}};
     for (std::uint32_t i = 0; i < count; ++i) {
         if (goOn && !goOn(0.5 * static_cast<double>(i) / static_cast<double>(count))) {

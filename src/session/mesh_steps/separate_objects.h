@@ -28,7 +28,7 @@ struct SeparatedObjects {
 inline constexpr std::size_t kMostParts = 500;
 
 /// On any thread. `hits`: all on the target, in order. Errors: the mesh has less than two objects, or more
-/// than kMostParts; it was cancelled.
+/// than kMostParts, or has had kMostMeshSteps; it was cancelled.
 [[nodiscard]] Result<SeparatedObjects> separated(const TargetState& target, std::vector<Hit> hits,
                                                  const MeshGoOn& goOn = {});
 
