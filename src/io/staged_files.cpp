@@ -230,6 +230,11 @@ Status StagedFiles::fill(const QString& path, Existing existing, unsigned mode,
     if (existing == Existing::Replace && info.isSymLink()) {
         return cannotSave(path, ELOOP);
     }
+    // Renaming would replace a file that is write-protected.
+    if (existing == Existing::Replace && isThere &&
+        ::faccessat(AT_FDCWD, QFile::encodeName(place).constData(), W_OK, AT_EACCESS) != 0) {
+        return cannotSave(path, errno);
+    }
     const QString hidden = QStringLiteral("%1/.%2.%3")
                                .arg(info.absolutePath(), info.fileName().left(200),
                                     QString::number(QRandomGenerator::system()->generate64(), 36));
