@@ -30,6 +30,9 @@ HitEditing::HitEditing(Session& session, QObject* parent) : QObject(parent), m_s
         }
         std::sort(now.begin(), now.end());
         m_rows = std::move(now);
+        if (!m_isApplying) {
+            m_pending = nullptr;  // it was of the history before, as in follow()
+        }
         endGesture();
         Q_EMIT rowsChanged();
         Q_EMIT edited();

@@ -67,6 +67,24 @@ private Q_SLOTS:
         QCOMPARE(reachOf(1), 1.3f);
     }
 
+    /// What is not applied yet when a step is undone is of the history before.
+    void undoTakesWhatWaitsForAFrame() {
+        m_session->hits().select(1);
+        widen(0.6f);
+        widen(0.7f);
+        Hit hit;
+        hit.target = m_session->targets().front()->id;
+        hit.point = {0.0f, 0.4f, 2.5f};
+        QVERIFY(m_session->hits().add(hit));
+        m_session->undo();
+        QVERIFY(m_session->steps().canRedo());
+        QCOMPARE(reachOf(1), 0.6f);
+        m_session->redo();
+        QCOMPARE(m_session->hits().history().size(), std::size_t{5});
+        Q_EMIT m_session->frameCosts().frameEnded();
+        QCOMPARE(reachOf(1), 0.6f);
+    }
+
     void aCancelledGestureLeavesNothing() {
         m_session->hits().select(1);
         widen(0.6f);
