@@ -3,8 +3,10 @@
 
 #include <QCoreApplication>
 #include <QPointer>
+#include <algorithm>
 #include <atomic>
 #include <utility>
+#include <variant>
 
 #include "analysis/beside.h"
 #include "models/quantity_text.h"
@@ -49,8 +51,15 @@ struct MeshEditor::Edit : Work {
     Status take(Session& session) override { return takeEdited(session, after, edit); }
     [[nodiscard]] QString said() const override {
         const MeshData& mesh = *after.shape.mesh;
-        return tr("%1: %2 vertices, %3 faces now (Ctrl+Z undoes)")
-            .arg(before.name, countText(mesh.vertexCount()), countText(mesh.faceCount()));
+        const QString now = tr("%1: %2 vertices, %3 faces now")
+                                .arg(before.name, countText(mesh.vertexCount()), countText(mesh.faceCount()));
+        const bool applies = edit.appliesHits || std::holds_alternative<MergedHits>(edit.step);
+        const auto hits = static_cast<std::size_t>(
+            std::count_if(edit.hits.begin(), edit.hits.end(), [](const Hit& hit) { return hit.enabled; }));
+        const QString merged =
+            applies && hits > 0 ? u' ' + tr("with %Ln {hit|hits} applied to the mesh", nullptr, trCount(hits))
+                                : QString();
+        return tr("%1 (Ctrl+Z undoes)").arg(now + merged);
     }
     [[nodiscard]] SessionUndo::Kind kind() const override { return edit.kind(); }
 };

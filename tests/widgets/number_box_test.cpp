@@ -133,6 +133,16 @@ private Q_SLOTS:
         QCOMPARE(m_box->value(), 150.0);
     }
 
+    /// A click there, or the End key, is the end of the number.
+    void nothingIsTypedBehindTheUnit() {
+        m_box->showNumber(2.0);
+        m_box->setFocus();
+        QTest::keyClick(m_box, Qt::Key_End);
+        QTest::keyClick(m_box, '5');
+        QTest::keyClick(m_box, Qt::Key_Return);
+        QVERIFY2(m_box->value() == 25.0, qPrintable(m_box->text()));
+    }
+
 private:
     void type(const QString& text) {
         m_box->setFocus();

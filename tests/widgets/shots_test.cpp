@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSpinBox>
+#include <QStatusBar>
 #include <algorithm>
 #include <cmath>
 
@@ -33,6 +34,7 @@ private Q_SLOTS:
     void previewGoesWhereAHandleIs();
     void previewGoesWithAnEdit();
     void fewVerticesAreRefinedAtTheAim();
+    void aShotThatMovesNothingSaysSo();
     void burstFromTheDialog();
     void sequenceAlongALine();
     void targetIsMadeDynamicAndBack();
@@ -136,6 +138,27 @@ void ShotsTest::previewGoesWithAnEdit() {
         QVERIFY(decorations.ghost() == nullptr);
         QVERIFY(!label().isVisible());
     }
+}
+
+void ShotsTest::aShotThatMovesNothingSaysSo() {
+    dropWindow();
+    makeWindow([](Session& session) { loadMesh(session, makeLowPolyCube(2.5f)); });
+    m_session->settings().setFlightMode(FlightMode::Instant);
+    const auto shootWithin = [this](float distance) {
+        ConstantsSetting setting = m_session->settings().constantsSetting();
+        setting.constants.maxDistance = distance;
+        QVERIFY(m_session->settings().setConstants(setting).ok());
+        QTest::mouseClick(&m_window->viewport(), Qt::LeftButton, {}, m_window->viewport().rect().center());
+    };
+    const auto said = [this] { return m_window->statusBar()->currentMessage(); };
+    shootWithin(0.001f);
+    QTRY_VERIFY_WITH_TIMEOUT(said().contains(QStringLiteral("moved no vertex")), kPatience);
+    QVERIFY2(said().contains(QStringLiteral("Ctrl+R")), qPrintable(said()));
+    shootWithin(10.0f);
+    QTRY_VERIFY_WITH_TIMEOUT(said().contains(QStringLiteral("The shot hit")), kPatience);
+    QTest::qWait(500);  // until it is known what it did
+    QCOMPARE(m_session->hits().history().size(), std::size_t{2});
+    QVERIFY2(!said().contains(QStringLiteral("vertex")), qPrintable(said()));
 }
 
 void ShotsTest::fewVerticesAreRefinedAtTheAim() {

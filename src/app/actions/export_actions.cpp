@@ -240,6 +240,10 @@ void ExportActions::beginOf(const std::vector<const Target*>& targets, const QSt
     tellBegin(targets, path, options.format);
     QString name = targets.size() == 1 ? tr("“%1”").arg(targets.front()->name)
                                        : tr("%n targets", nullptr, static_cast<int>(targets.size()));
+    if (targets.size() == 1 && !options.inWorld &&
+        targets.front()->deformed.original().placement.scale != 1.0) {
+        name = tr("%1 in the size of its file").arg(name);
+    }
     if (!m_session.hits().showsAll()) {
         name = tr("%1 after hit %2 of %3")
                    .arg(name, countText(m_session.hits().shown().size()),

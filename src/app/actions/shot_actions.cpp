@@ -10,8 +10,10 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <utility>
 
 #include "analysis/changed_settings.h"
+#include "analysis/hit_effects.h"
 #include "app/actions/menu_building.h"
 #include "app/dialogs/dialogs.h"
 #include "app/dialogs/shot_series_dialog.h"
@@ -46,9 +48,10 @@ float distanceTo(const Bounds& box, const Ray& ray) {
 
 }  // namespace
 
-ShotActions::ShotActions(Session& session, Viewport& viewport, QWidget& window)
+ShotActions::ShotActions(Session& session, HitEffects& effects, Viewport& viewport, QWidget& window)
     : QObject(&window),
       m_session(session),
+      m_effects(effects),
       m_viewport(viewport),
       m_window(window),
       m_aimPreview(new AimPreview(session, viewport)),
@@ -58,11 +61,42 @@ ShotActions::ShotActions(Session& session, Viewport& viewport, QWidget& window)
     connect(&session.simulation(), &Simulation::scheduleChanged, this, &ShotActions::follow);
     connect(&session, &Session::sceneReplaced, this, &ShotActions::follow);
     connect(m_flight, &FlightChooser::chosenInBox, this, &ShotActions::chosenInBox);
-    connect(&session.simulation(), &Simulation::shotsWent, this, [this](const ShotCount& count) {
-        if (const QString text = shotText(count, m_session); !text.isEmpty()) {
-            Q_EMIT said(text);
-        }
-    });
+    connect(&session.simulation(), &Simulation::shotsWent, this, &ShotActions::tellShot);
+    connect(&effects, &HitEffects::effectsChanged, this, &ShotActions::tellIdleHit);
+    const auto forget = [this] { m_lastHit.reset(); };
+    connect(&session.hits(), &SessionHits::rearranged, this, forget);
+    connect(&session.hits(), &SessionHits::reset, this, forget);
+}
+
+void ShotActions::tellShot(const ShotCount& count) {
+    const QString text = shotText(count, m_session);
+    if (text.isEmpty()) {
+        return;
+    }
+    Q_EMIT said(text);
+    const std::size_t hits = m_session.hits().history().size();
+    m_lastHit = count.shots == 1 && count.hits == 1 && hits > 0 ? std::optional(hits - 1) : std::nullopt;
+    tellIdleHit();
+}
+
+/// A hit between the vertices of a coarse mesh changes nothing that could be seen.
+void ShotActions::tellIdleHit() {
+    const std::span<const Hit> hits = m_session.hits().history().hits();
+    const std::optional<HitEffect> effect =
+        m_lastHit && *m_lastHit < hits.size() ? m_effects.effect(*m_lastHit) : std::nullopt;
+    if (!effect) {
+        return;
+    }
+    const Hit& hit = hits[*std::exchange(m_lastHit, std::nullopt)];
+    const Target* target = m_session.targets().find(hit.target);
+    if (effect->affected > 0 || target == nullptr) {
+        return;
+    }
+    Q_EMIT said(hit.constants.maxMagnitude > 0.0f || hit.form.presses()
+                    ? tr("The shot hit %1, and moved no vertex: none is near enough. Ctrl+R refines the "
+                         "mesh there.")
+                          .arg(target->name)
+                    : tr("The shot hit %1, and moved no vertex: max magnitude is 0.").arg(target->name));
 }
 
 void ShotActions::fill(QToolBar& bar) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <optional>
 
 #include "app/shot_series.h"
 #include "session/session.h"
@@ -15,6 +16,7 @@ namespace hitscope {
 
 class AimPreview;
 class FlightChooser;
+class HitEffects;
 class Viewport;
 
 /// Shots: at the crosshair, how they fly, bursts, sequences, scripts, the aim preview. Says what becomes of
@@ -22,8 +24,8 @@ class Viewport;
 class ShotActions : public QObject {
     Q_OBJECT
 public:
-    /// `session`, `viewport` and `window`, the dialogs' parent, outlive this.
-    ShotActions(Session& session, Viewport& viewport, QWidget& window);
+    /// `session`, `effects`, `viewport` and `window`, the dialogs' parent, outlive this.
+    ShotActions(Session& session, HitEffects& effects, Viewport& viewport, QWidget& window);
 
     void fill(QMenu& menu);         ///< once
     void fill(QToolBar& bar);       ///< once
@@ -42,13 +44,17 @@ private:
     void save(const ShotSeries& series);
     void runScript();
     void follow();
+    void tellShot(const ShotCount& count);
+    void tellIdleHit();
 
     Session& m_session;
+    HitEffects& m_effects;
     Viewport& m_viewport;
     QWidget& m_window;
     AimPreview* m_aimPreview = nullptr;
     FlightChooser* m_flight = nullptr;
     QAction* m_stop = nullptr;
+    std::optional<std::size_t> m_lastHit;  ///< row of a lone shot's hit, until it is known what that did
 };
 
 }  // namespace hitscope

@@ -53,7 +53,7 @@ void WindowActions::make(const Parts& parts) {
     themes = new ThemeActions(parts.settings, viewport, &window);
     lights = new LightActions(session, &window);
     time = new TimeActions(session, &window);
-    shots = new ShotActions(session, viewport, window);
+    shots = new ShotActions(session, parts.effects, viewport, window);
     projectile = new ProjectileActions(session, window);
     mesh = new MeshActions(session, shots->aimPreview(), window);
     QObject::connect(mesh, &MeshActions::turned, &viewport, &Viewport::frameSelection);

@@ -128,8 +128,9 @@ void ParameterEditor::setSpan(double scale) {
     m_span = scale;
 }
 
-void ParameterEditor::setReset(double value) {
+void ParameterEditor::setReset(double value, const QString& tip) {
     m_resetTo = value;
+    m_resetTip = tip;
     showRange();
 }
 
@@ -142,7 +143,8 @@ void ParameterEditor::showRange() {
          {static_cast<QWidget*>(m_label), static_cast<QWidget*>(m_slider), static_cast<QWidget*>(m_box)}) {
         widget->setToolTip(range);
     }
-    m_reset->setToolTip(tr("Back to %1%2").arg(text(m_resetTo), m_box->suffix()));
+    m_reset->setToolTip(
+        (m_resetTip.isEmpty() ? tr("Back to %1") : m_resetTip).arg(text(m_resetTo) + m_box->suffix()));
 }
 
 double ParameterEditor::shownOf(double value) const {

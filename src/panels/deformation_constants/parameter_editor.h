@@ -27,8 +27,9 @@ public:
 
     /// Shows values times `scale` in `unit`, which may be empty.
     void setUnit(double scale, const QString& unit);
-    void setSpan(double scale);   ///< the slider goes over its range times `scale`
-    void setReset(double value);  ///< where the reset button goes; at first the default
+    void setSpan(double scale);  ///< the slider goes over its range times `scale`
+    /// Where the reset button goes; at first the default. `tip`: says so, with %1 for the value and its unit.
+    void setReset(double value, const QString& tip = {});
     void setValue(double value);  ///< emits nothing
     void showDiffering();         ///< it stands for several values
     void setVisible(bool isVisible);
@@ -53,6 +54,7 @@ private:
     ParameterDescriptor m_parameter;
     ParameterDescriptor m_usual;
     double m_resetTo;
+    QString m_resetTip;
     double m_scale = 1.0;
     double m_span = 1.0;
     QLabel* m_label = nullptr;

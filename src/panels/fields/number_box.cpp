@@ -185,6 +185,16 @@ void NumberBox::showText() {
     }
 }
 
+/// Behind the unit nothing can be typed: a click there means the end of the number.
+void NumberBox::keyPressEvent(QKeyEvent* event) {
+    const auto end = static_cast<int>(lineEdit()->text().size() - suffix().size());
+    if (lineEdit()->cursorPosition() > end && !lineEdit()->hasSelectedText() &&
+        lineEdit()->text().endsWith(suffix())) {
+        lineEdit()->setCursorPosition(end);
+    }
+    QDoubleSpinBox::keyPressEvent(event);
+}
+
 void NumberBox::focusInEvent(QFocusEvent* event) {
     showText();
     QDoubleSpinBox::focusInEvent(event);

@@ -41,6 +41,7 @@ Q_SIGNALS:
     void edited(double value);  ///< by a person, or setValue()
 
 protected:
+    void keyPressEvent(QKeyEvent* event) override;
     void focusInEvent(QFocusEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
 

@@ -252,7 +252,7 @@ void HitInspectorPanel::showConstants(const Hit& hit) {
     for (std::size_t i = 0; i < m_editors.size(); ++i) {
         const auto value = [i](const Hit& one) { return parameterValue(one.constants, i); };
         m_editors[i]->setSpan(i == 1 ? size * size : size);
-        m_editors[i]->setReset(parameterValue(next, i));
+        m_editors[i]->setReset(parameterValue(next, i), tr("As the next hit: %1"));
         m_editors[i]->setValue(value(hit));
         if (!isSame(hit, value)) {
             m_editors[i]->showDiffering();
