@@ -46,6 +46,12 @@ void mix(std::uint64_t& state, const Hit& hit) {
     }
 }
 
+void callIfAny(const std::function<void()>& what) {
+    if (what) {
+        what();
+    }
+}
+
 }  // namespace
 
 DiscardGuard::DiscardGuard(Session& session, SessionFiles& files, QWidget& window, BeginSave beginSave)
@@ -59,6 +65,9 @@ DiscardGuard::DiscardGuard(Session& session, SessionFiles& files, QWidget& windo
         m_writing.clear();  // targets of the scene before
         m_keptHits.reset();
         m_writingHits.reset();
+    });
+    files.setAsk([this](std::function<void()> then, std::function<void()> instead) {
+        ask(std::move(then), std::move(instead));
     });
     connect(&files, &SessionFiles::saved, this, [this] { takeSaved(true); });
     connect(&files, &SessionFiles::notSaved, this, [this] { takeSaved(false); });
@@ -142,7 +151,7 @@ QMessageBox* DiscardGuard::makeBox() {
     return box;
 }
 
-void DiscardGuard::ask(std::function<void()> then) {
+void DiscardGuard::ask(std::function<void()> then, std::function<void()> instead) {
     if (!isAtRisk()) {
         then();
         return;
@@ -150,17 +159,19 @@ void DiscardGuard::ask(std::function<void()> then) {
     if (m_box != nullptr) {  // one question at a time
         m_box->raise();
         m_box->activateWindow();
+        callIfAny(instead);
         return;
     }
     QMessageBox* box = makeBox();
-    connect(box, &QDialog::finished, this, [this, box, act = std::move(then)] {
+    connect(box, &QDialog::finished, this, [this, box, act = std::move(then), other = std::move(instead)] {
         m_box.clear();
-        take(*box, act);
+        take(*box, act, other);
     });
     box->open();
 }
 
-void DiscardGuard::take(QMessageBox& box, const std::function<void()>& then) {
+void DiscardGuard::take(QMessageBox& box, const std::function<void()>& then,
+                        const std::function<void()>& instead) {
     const QAbstractButton* const clicked = box.clickedButton();
     const QMessageBox::ButtonRole role =
         clicked != nullptr ? box.buttonRole(box.clickedButton()) : QMessageBox::RejectRole;
@@ -168,26 +179,33 @@ void DiscardGuard::take(QMessageBox& box, const std::function<void()>& then) {
         then();
     } else if (role == QMessageBox::AcceptRole) {
         m_then = then;
+        m_instead = instead;
         // Where to save may be asked by a dialog with an event loop of its own. The box may be deleted in it,
         // so the box's own code must have ended by then.
         QMetaObject::invokeMethod(this, &DiscardGuard::beginSave, Qt::QueuedConnection);
+    } else {
+        callIfAny(instead);
     }
 }
 
 void DiscardGuard::beginSave() {
     if (m_then && !m_beginSave()) {
         m_then = {};
+        callIfAny(std::exchange(m_instead, {}));
         Q_EMIT saveEnded();
     }
 }
 
 void DiscardGuard::takeSaved(bool isSaved) {
     const std::function<void()> then = std::exchange(m_then, {});
+    const std::function<void()> instead = std::exchange(m_instead, {});
     if (!then) {
         return;
     }
     if (isSaved) {
-        ask(then);  // again, if there have been more changes meanwhile
+        ask(then, instead);  // again, if there have been more changes meanwhile
+    } else {
+        callIfAny(instead);
     }
     Q_EMIT saveEnded();
 }
@@ -204,10 +222,11 @@ bool DiscardGuard::askAndWait() {
     QMessageBox* box = makeBox();
     connect(box, &QDialog::finished, &loop, [this, box, &loop, &goesOn] {
         m_box.clear();
-        take(*box, [&loop, &goesOn] {
+        const auto goOn = [&loop, &goesOn] {
             goesOn = true;
             loop.quit();
-        });
+        };
+        take(*box, goOn, {});
         if (!m_then) {
             loop.quit();
         }
@@ -217,6 +236,7 @@ bool DiscardGuard::askAndWait() {
     box->open();
     loop.exec();
     m_then = {};
+    m_instead = {};
     return goesOn;
 }
 

@@ -35,8 +35,8 @@ public:
     [[nodiscard]] bool isAtRisk() const;
 
     /// Calls `then` at once if nothing would be lost; else when the person has discarded the changes, or
-    /// saved them, which is done first. Returns at once.
-    void ask(std::function<void()> then);
+    /// saved them, which is done first; `instead` when they keep the session as it is. Returns at once.
+    void ask(std::function<void()> then, std::function<void()> instead = {});
     /// The same, waiting for the answer; true: go on.
     [[nodiscard]] bool askAndWait();
     /// What there is now is given up: no more questions about it.
@@ -85,7 +85,7 @@ private:
     /// They were added, moved or changed, and not all of them were exported.
     [[nodiscard]] bool areTargetsAtRisk() const;
     QMessageBox* makeBox();
-    void take(QMessageBox& box, const std::function<void()>& then);
+    void take(QMessageBox& box, const std::function<void()>& then, const std::function<void()>& instead);
     void beginSave();
     void takeSaved(bool isSaved);
 
@@ -96,6 +96,7 @@ private:
     std::map<TargetId, Exported> m_exported;
     std::multimap<QString, Writing> m_writing;  ///< several: all targets in one file
     std::function<void()> m_then;               ///< after the save that is under way; empty: none is awaited
+    std::function<void()> m_instead;            ///< where that is not saved
     std::optional<State> m_keptHits;            ///< of all hits: no question about these
     std::optional<State> m_writingHits;
     QPointer<QMessageBox> m_box;

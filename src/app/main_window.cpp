@@ -186,6 +186,8 @@ void MainWindow::connectSession() {
     connect(m_actions.hits, &HitActions::exportBegan, m_guard, &DiscardGuard::hitsExportBegins);
     connect(m_actions.hits, &HitActions::exported, m_guard, &DiscardGuard::hitsExported);
     m_journal = new JournalKeeping(m_session, *m_sessions, m_view, *m_viewport, this);
+    connect(m_actions.cameras, &CameraActions::bookmarksChanged, m_journal, &JournalKeeping::viewChanged);
+    connect(m_journal, &JournalKeeping::recoveredKept, m_recovery, &RecoveryBar::dropRecovered);
     new MeshLocator(*m_sessions, *this);
     connect(m_sessions, &SessionFiles::changed, this, &MainWindow::showTitle);
     connect(m_sessions, &SessionFiles::cancelled, this,

@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QLocale>
 #include <QMessageBox>
+#include <QPointer>
 #include <QPushButton>
 #include <algorithm>
 #include <cmath>
@@ -140,8 +141,13 @@ void RecoveryBar::take(const std::shared_ptr<Found>& found) {
                              : tr("%Ln {hit|hits}", nullptr, trCount(document.hits.size()));
     const QString name =
         found->read->file.isEmpty() ? document.scene.name : QFileInfo(found->read->file).fileName();
+    const QString lost =
+        found->read->lostLines == 0
+            ? QString()
+            : u' ' + tr("A part of what was kept of it is damaged: its last changes are lost.");
     m_text->setText(tr("Hitscope ended unexpectedly. The session “%1” of %2, with %3, can be recovered.")
-                        .arg(name, when, work));
+                        .arg(name, when, work) +
+                    lost);
     const QPixmap picture = pictureOf(found->read->picture, devicePixelRatioF());
     m_picture->setPixmap(picture);
     m_picture->setVisible(!picture.isNull());
@@ -154,21 +160,33 @@ void RecoveryBar::recover() {
         return;
     }
     hide();
-    // The journal goes once the session is there; where it cannot be opened it is offered again.
-    auto* once = new QObject(this);
-    connect(&m_files, &SessionFiles::opened, once, [this, found, once] {
-        once->deleteLater();
-        static_cast<void>(found->journal.discard());
+    m_files.openDocument(found->read->document, fileOf(*found),
+                         [self = QPointer(this), found](bool isOpened) {
+                             if (self) {
+                                 self->takeEnded(found, isOpened);
+                             }
+                         });
+}
+
+/// The journal stays until the session is kept in another; where it was not opened it is offered again.
+void RecoveryBar::takeEnded(const std::shared_ptr<Found>& found, bool isOpened) {
+    if (isOpened) {
+        m_recovered.push_back(found);
         look();
-    });
-    const auto offerAgain = [this, found, once] {
-        once->deleteLater();
+    } else if (!m_found) {
         m_found = found;
         show();
-    };
-    connect(&m_files, &SessionFiles::failed, once, offerAgain);
-    connect(&m_files, &SessionFiles::cancelled, once, offerAgain);
-    m_files.openDocument(found->read->document, fileOf(*found));
+    }
+}
+
+void RecoveryBar::dropRecovered() {
+    for (const std::shared_ptr<Found>& found : std::exchange(m_recovered, {})) {
+        if (found->read->lostLines == 0) {
+            static_cast<void>(found->journal.discard());
+        } else if (found->journal.setAside()) {
+            Q_EMIT noticeWanted(tr("What could not be recovered is kept in %1.").arg(found->journal.path()));
+        }
+    }
 }
 
 void RecoveryBar::askToDiscard() {

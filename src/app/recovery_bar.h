@@ -3,6 +3,7 @@
 
 #include <QFrame>
 #include <memory>
+#include <vector>
 
 #include "core/result.h"
 
@@ -24,9 +25,12 @@ public:
 
     /// Looks for one, and reads it beside the window's work.
     void look();
+    /// What was recovered is safe elsewhere: the journals that it was recovered from go.
+    void dropRecovered();
 
 Q_SIGNALS:
     void failed(const hitscope::Error& error);
+    void noticeWanted(const QString& text);
 
 private:
     struct Found;
@@ -35,14 +39,16 @@ private:
     [[nodiscard]] static QString fileOf(const Found& found);
     void recover();
     void askToDiscard();
+    void takeEnded(const std::shared_ptr<Found>& found, bool isOpened);
     void discard();
 
     SessionFiles& m_files;
     DiscardGuard& m_guard;
     QString m_folder;
     QLabel* m_text = nullptr;
-    QLabel* m_picture = nullptr;     ///< hidden where the journal has none
-    std::shared_ptr<Found> m_found;  ///< null: nothing is offered
+    QLabel* m_picture = nullptr;                      ///< hidden where the journal has none
+    std::shared_ptr<Found> m_found;                   ///< null: nothing is offered
+    std::vector<std::shared_ptr<Found>> m_recovered;  ///< that dropRecovered() is awaited for
     bool m_isReading = false;
     QStringList m_passedOver;  ///< journals that cannot be read
 };

@@ -25,7 +25,9 @@ struct SessionFiles::Work {
     bool isRead = false;  ///< document is what the file says
     bool isRecovered = false;
     bool isSave = false;
-    std::uint64_t state = 0;                 ///< SessionUndo::state() that is written
+    std::uint64_t scene = 0;                 ///< SessionUndo::scene() that is written
+    std::uint64_t state = 0;                 ///< SessionUndo::state() that is written, or is to be replaced
+    std::function<void(bool)> ended = {};    ///< openDocument()'s
     std::vector<CopiedPositions> positions;  ///< that are written
     bool isGivenUp = false;                  ///< what is saved; by the other thread, last
     MeshPlaces places;
@@ -78,13 +80,16 @@ Error noRoomFor(const QString& path) {
 }  // namespace
 
 SessionFiles::SessionFiles(Session& session, View view, QObject* parent)
-    : QObject(parent), m_session(session), m_view(std::move(view)), m_state(session.steps().state()) {
-    m_file.kept = m_state;
+    : QObject(parent), m_session(session), m_view(std::move(view)), m_scene(session.steps().scene()) {
+    m_file.kept = session.steps().state();
     connect(&session, &Session::undoChanged, this, &SessionFiles::follow);
     connect(&session.frameCosts(), &FrameCosts::frameEnded, this, &SessionFiles::checkPositions);
 }
 
 SessionFiles::~SessionFiles() {
+    if (m_work) {
+        m_work->ended = {};
+    }
     cancel();
 }
 
@@ -102,21 +107,18 @@ bool SessionFiles::isModified() const {
     return m_file.isRecovered || m_session.steps().state() != m_file.kept;
 }
 
-/// Another scene's file, once its own undo or redo has brought it back.
+/// Each scene that undo and redo lead to has a file of its own; a new one has none.
 void SessionFiles::followScene() {
-    const std::uint64_t before = std::exchange(m_state, m_session.steps().state());
-    if (const auto other = m_others.find(m_state); before != m_state && other != m_others.end()) {
-        const File left = std::exchange(m_file, other->second);
-        m_others.erase(other);
-        m_others[before] = left;
-        m_wasModified = isModified();
-        Q_EMIT changed();
+    const std::uint64_t before = std::exchange(m_scene, m_session.steps().scene());
+    if (before == m_scene) {
         return;
     }
-    const std::optional<SessionUndo::Name> last = m_session.steps().toUndo();
-    if (before != m_state && last && last->kind == SessionUndo::Kind::LoadScene) {
-        m_beforeScene = before;
-    }
+    m_others[before] = m_file;
+    const auto known = m_others.find(m_scene);
+    m_file = known != m_others.end() ? known->second : File{.path = {}, .kept = m_session.steps().state()};
+    m_others.erase(m_scene);
+    m_wasModified = isModified();
+    Q_EMIT changed();
 }
 
 void SessionFiles::follow() {
@@ -129,6 +131,8 @@ void SessionFiles::follow() {
 
 void SessionFiles::begin(const QString& doing, std::function<void()> cancel, const QString& cancelHelp) {
     m_work = std::make_shared<Work>();
+    m_work->scene = m_session.steps().scene();
+    m_work->state = m_session.steps().state();
     m_progress = std::make_unique<TaskProgress>(m_session.tasks(), doing, std::move(cancel), cancelHelp);
 }
 
@@ -142,6 +146,7 @@ void SessionFiles::beginOpening(const QString& name) {
             Q_EMIT cancelled();
         },
         tr("Cancel opening; the session stays as it is"));
+    Q_EMIT openingBegun();
 }
 
 /// What is being saved is written, but it is no longer the session that there is.
@@ -152,8 +157,11 @@ void SessionFiles::leaveSaving() {
 }
 
 void SessionFiles::end() {
-    m_work.reset();
+    const std::shared_ptr<Work> work = std::exchange(m_work, nullptr);
     m_progress.reset();
+    if (work && work->ended) {
+        std::exchange(work->ended, nullptr)(false);
+    }
 }
 
 void SessionFiles::fail(const Error& error) {
@@ -177,7 +185,6 @@ void SessionFiles::save(const QString& path) {
     m_work->document = captureHits(m_session, m_view.capture());
     m_work->positions = copyPositions(m_session);
     m_work->path = QFileInfo(path).absoluteFilePath();
-    m_work->state = m_session.steps().state();
     workBeside(
         this, [work = m_work] { work->write(); },
         [work = m_work](SessionFiles& self, bool done) { self.takeWritten(work, done); });
@@ -192,14 +199,18 @@ void SessionFiles::takeWritten(const std::shared_ptr<Work>& work, bool done) {
         Q_EMIT saveCancelled();
     } else if (!done || !work->status) {
         Q_EMIT notSaved(done ? work->status.error() : noRoomFor(work->path));
-    } else if (isOfThis) {
-        m_file.path = work->path;
-        m_file.kept = work->state;
-        m_file.isRecovered = false;
-        m_file.stamp = work->stamp;
-        m_wasModified = isModified();
-        Q_EMIT changed();
-        Q_EMIT saved(work->path);
+    } else {
+        const File written{work->path, work->state, false, work->stamp};
+        if (work->scene == m_scene) {
+            m_file = written;
+            m_wasModified = isModified();
+            Q_EMIT changed();
+        } else if (const auto other = m_others.find(work->scene); other != m_others.end()) {
+            other->second = written;
+        }
+        if (isOfThis) {
+            Q_EMIT saved(work->path);
+        }
     }
     Q_EMIT saveEnded();
 }
@@ -213,8 +224,10 @@ void SessionFiles::open(const QString& path) {
     prepare();
 }
 
-void SessionFiles::openDocument(SessionDocument document, const QString& file) {
+void SessionFiles::openDocument(SessionDocument document, const QString& file,
+                                std::function<void(bool)> ended) {
     beginOpening(document.scene.name);
+    m_work->ended = std::move(ended);
     m_work->path = file;
     m_work->stamp = stampOf(file);
     m_work->document = std::move(document);
@@ -294,9 +307,29 @@ void SessionFiles::goOn() {
     if (!work) {
         return;
     }
-    m_others.clear();  // there is no undo beyond what is opened
-    m_beforeScene = 0;
+    if (!m_ask || work->state == m_session.steps().state()) {
+        replaceBy(work);
+        return;
+    }
+    // What was done meanwhile may be worth keeping; while that is asked, it may have to be saved.
+    const std::function<void(bool)> ended = std::exchange(work->ended, {});
+    end();
+    work->ended = ended;
+    m_ask([this, work] { replaceBy(work); },
+          [this, work] {
+              if (work->ended) {
+                  work->ended(false);
+              }
+              Q_EMIT cancelled();
+          });
+}
+
+void SessionFiles::replaceBy(const std::shared_ptr<Work>& work) {
+    const std::function<void(bool)> ended = std::exchange(work->ended, {});
+    cancel();  // what was begun while the question was open
+    leaveSaving();
     restoreSession(m_session, work->prepared);
+    m_others.clear();  // there is no undo beyond what is opened
     m_view.restore(work->prepared.document);
     // Saved to its own file, what is left out would be lost.
     const bool isWhole = work->prepared.isWhole();
@@ -311,9 +344,11 @@ void SessionFiles::goOn() {
         notes << QString::fromStdString(Error{trouble.error.what, trouble.error.where, {}}.message());
     }
     m_toCheck = std::make_unique<SessionDocument>(std::move(work->prepared.document));
-    end();
     Q_EMIT changed();
     Q_EMIT opened(work->isRecovered ? QString() : m_file.path, notes);
+    if (ended) {
+        ended(true);
+    }
 }
 
 void SessionFiles::checkPositions() {
@@ -339,9 +374,6 @@ void SessionFiles::checkPositions() {
 
 void SessionFiles::leave() {
     leaveSaving();
-    if (m_beforeScene != 0) {
-        m_others[std::exchange(m_beforeScene, 0)] = m_file;
-    }
     m_file.path.clear();
     m_toCheck.reset();
     letGo();

@@ -32,6 +32,12 @@ public:
     SessionFiles(Session& session, View view, QObject* parent = nullptr);
     ~SessionFiles() override;
 
+    /// Calls `then` where the session as it is may be replaced, and `instead` where it may not; at once or
+    /// later.
+    using Ask = std::function<void(std::function<void()> then, std::function<void()> instead)>;
+    /// Is asked before a session is replaced that was changed while another was being opened.
+    void setAsk(Ask ask) { m_ask = std::move(ask); }
+
     [[nodiscard]] const QString& path() const { return m_file.path; }  ///< empty: it was never saved
     /// Whether its file is another one now than was opened or saved here, by size or time; not where it is
     /// gone.
@@ -42,14 +48,16 @@ public:
 
     /// Writes it there, whole or not at all; ends with saved(), notSaved() or saveCancelled(). What is
     /// changed meanwhile is not in it. If another scene takes the place of this one before, it is written all
-    /// the same, which nobody is told.
+    /// the same, which nobody is told; undone, the scene is in that file.
     void save(const QString& path);
     /// Replaces the session by the file's; ends with opened(), failed() or cancelled(), of which the last two
     /// leave the session as it is. Where meshes are missing or changed, troubled() asks on the way.
     void open(const QString& path);
     /// Likewise by a document that is in no file: what was recovered. Counts as modified. `file`: that it was
-    /// in before, and is saved to; empty: none.
-    void openDocument(SessionDocument document, const QString& file);
+    /// in before, and is saved to; empty: none. `ended` is called once, with whether it was opened; not where
+    /// this goes before.
+    void openDocument(SessionDocument document, const QString& file,
+                      std::function<void(bool isOpened)> ended = {});
     /// Gives up what is being opened; what is being saved stays wanted.
     void cancel();
 
@@ -67,6 +75,7 @@ Q_SIGNALS:
     void changed();  ///< path() or isModified()
     void saved(const QString& path);
     void left();  ///< leave()
+    void openingBegun();
     void troubled();
     /// `path`: empty for what was recovered. `notes`: of the import, and what was left out.
     void opened(const QString& path, const QStringList& notes);
@@ -94,6 +103,7 @@ private:
     void say(const Work& work, double fraction, const QString& doing);
     void prepare();
     void take(const std::shared_ptr<Work>& work, bool done);
+    void replaceBy(const std::shared_ptr<Work>& work);
     void checkPositions();
     void follow();
     void followScene();
@@ -102,6 +112,7 @@ private:
 
     Session& m_session;
     View m_view;
+    Ask m_ask;
     /// What the session is in.
     struct File {
         QString path;
@@ -110,10 +121,8 @@ private:
         FileStamp stamp = {};      ///< of the file as it was opened or saved
     };
     File m_file;
-    std::map<std::uint64_t, File>
-        m_others;                     ///< of scenes that undo and redo lead to, by the first state there
-    std::uint64_t m_state = 0;        ///< SessionUndo::state() that was seen last
-    std::uint64_t m_beforeScene = 0;  ///< that was there before the scene
+    std::map<std::uint64_t, File> m_others;  ///< of scenes that undo and redo lead to
+    std::uint64_t m_scene = 0;               ///< SessionUndo::scene() that m_file is of
     bool m_wasModified = false;
     std::unique_ptr<TaskProgress> m_progress;
     std::shared_ptr<Work> m_work;                ///< null: nothing goes on

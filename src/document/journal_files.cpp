@@ -126,4 +126,13 @@ Status ClaimedJournal::discard() {
     return Done{};
 }
 
+Status ClaimedJournal::setAside() {
+    const QString aside = m_path + QStringLiteral(".damaged");
+    if (::rename(QFile::encodeName(m_path).constData(), QFile::encodeName(aside).constData()) != 0) {
+        return cannot("The journal cannot be renamed: ", m_path, errno);
+    }
+    m_path = aside;
+    return Done{};
+}
+
 }  // namespace hitscope

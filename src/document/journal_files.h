@@ -38,6 +38,8 @@ public:
     [[nodiscard]] const QString& path() const { return m_path; }
     [[nodiscard]] Result<QByteArray> read() const;  ///< on any thread
     [[nodiscard]] Status discard();                 ///< takes it away for good
+    /// Renames it, so that nobody finds it as a journal any more; path() is the new one.
+    [[nodiscard]] Status setAside();
 
 private:
     ClaimedJournal(QString path, int descriptor) : m_path(std::move(path)), m_descriptor(descriptor) {}

@@ -380,6 +380,8 @@ Result<RecoveredJournal> readJournal(const QByteArray& bytes) {
         lines.keep(json.value());
     }
     recovered.goodBytes = lines.goodBytes();
+    recovered.lostLines = static_cast<std::size_t>(
+        std::count(bytes.begin() + static_cast<qsizetype>(recovered.goodBytes), bytes.end(), '\n'));
     recovered.document.hits = replay.hits.take();
     recovered.droppedHits = dropDangling(recovered.document);
     return std::move(recovered);

@@ -56,6 +56,7 @@ struct RecoveredJournal {
     std::size_t droppedHits = 0;  ///< on targets that a later line took away without them
     QByteArray picture = {};      ///< the last: bytes of a JPEG, not looked into; empty: none
     QString file = {};            ///< the session file that it was saved to; empty: none
+    std::size_t lostLines = 0;    ///< complete ones from the first that is not good on
     std::string problem = {};     ///< why the line behind the good ones does not count; empty: there is none
 };
 

@@ -74,6 +74,10 @@ public:
         const std::lock_guard lock(m_mutex);
         return m_synced;
     }
+    bool isKept(std::size_t calls) const {
+        const std::lock_guard lock(m_mutex);
+        return m_keeps && m_synced >= calls;
+    }
     bool wait(int milliseconds) {
         std::unique_lock lock(m_mutex);
         return m_done.wait_for(lock, std::chrono::milliseconds(milliseconds),
@@ -131,6 +135,7 @@ private:
             m_path = m_file.isOpen() ? m_file.path() : QString();
             if (isSynced) {
                 m_synced = handed;
+                m_keeps = m_follows && m_file.isOpen();
                 m_done.notify_all();
             }
         }
@@ -243,6 +248,7 @@ private:
     std::size_t m_waitingBytes = 0;
     std::size_t m_handedOver = 0;
     std::size_t m_synced = 0;
+    bool m_keeps = false;  ///< what is synced is in the file
     bool m_mayStop = false;
     QString m_path;
 
@@ -299,6 +305,10 @@ std::size_t JournalWriter::handedOver() const {
 
 std::size_t JournalWriter::synced() const {
     return m_thread->synced();
+}
+
+bool JournalWriter::isKept(std::size_t calls) const {
+    return m_thread->isKept(calls);
 }
 
 bool JournalWriter::wait(int milliseconds) {

@@ -51,6 +51,8 @@ public:
     /// Of the calls so far how many are on the disk, or were given up with the failure said.
     [[nodiscard]] std::size_t handedOver() const;
     [[nodiscard]] std::size_t synced() const;
+    /// Whether the first so many calls are on the disk, or in a snapshot there; given up is not.
+    [[nodiscard]] bool isKept(std::size_t calls) const;
     /// Until all is; for tests, and before something dangerous. Returns whether it is.
     bool wait(int milliseconds);
     [[nodiscard]] QString path() const;  ///< empty: there is no file

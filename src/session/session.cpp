@@ -66,7 +66,7 @@ Session::~Session() = default;
 // Scenes
 
 void Session::loadScene(ScenePlan plan, SessionUndo::Kind kind) {
-    const bool isFirst = m_targets.empty();
+    const bool isFirst = m_targets.empty() && m_undo.size() == 0;
     SceneState before = isFirst ? SceneState{} : scene();
     clearScene();
     m_targets.replace(std::move(plan.targets), plan.floorHeight);

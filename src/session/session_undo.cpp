@@ -225,6 +225,9 @@ void SessionUndo::record(Change change) {
         m_aside = std::move(undone);
     }
     m_undo.push_back(step(std::move(change), ++m_last));
+    if (m_undo.back().name.kind == Kind::LoadScene) {
+        m_scenes.push_back(m_last);
+    }
     m_bytes += m_undo.back().bytes();
     forgetOldest();
 }
@@ -234,6 +237,10 @@ void SessionUndo::forgetOldest() {
     while (m_bytes > m_most && m_undo.size() > 1) {
         m_bytes -= m_undo.front().bytes();
         m_first = m_undo.front().number;
+        if (m_undo.front().name.kind == Kind::LoadScene) {
+            m_firstScene = m_first;
+            m_scenes.erase(m_scenes.begin());
+        }
         m_undo.pop_front();
         ++m_forgotten;
     }
@@ -285,6 +292,9 @@ SessionUndo::Change SessionUndo::undo(std::span<const Hit> hits, const Places& p
     m_redo.push_back(std::move(m_undo.back()));
     m_undo.pop_back();
     Step& undone = m_redo.back();
+    if (undone.name.kind == Kind::LoadScene) {
+        m_scenes.pop_back();
+    }
     if (!undone.change) {
         // From now on no history holds its hits.
         const std::span<const Hit> made = hits.subspan(undone.first, undone.name.count);
@@ -302,6 +312,9 @@ SessionUndo::Change SessionUndo::redo(const Places& places) {
     Change change = *m_redo.back().change;
     m_undo.push_back(step(change, m_redo.back().number));
     m_redo.pop_back();
+    if (m_undo.back().name.kind == Kind::LoadScene) {
+        m_scenes.push_back(m_undo.back().number);
+    }
     if (!change.places.empty()) {
         change.places = exchanged(m_undo.back().change->places, places());
     }
@@ -314,7 +327,9 @@ void SessionUndo::clear() {
     m_undo.clear();
     m_redo.clear();
     m_aside.clear();
+    m_scenes.clear();
     m_first = ++m_last;
+    m_firstScene = m_first;
     m_bytes = 0;
     m_forgotten = 0;
 }

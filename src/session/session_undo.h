@@ -134,6 +134,9 @@ public:
     void record(Change change);
     /// Of the state that the steps have led to: two of the same number are equal. Never 0.
     [[nodiscard]] std::uint64_t state() const { return m_undo.empty() ? m_first : m_undo.back().number; }
+    /// Of the scene that the steps have led to: state() as it was when another scene took its place; two of
+    /// the same number are equal. Never 0.
+    [[nodiscard]] std::uint64_t scene() const { return m_scenes.empty() ? m_firstScene : m_scenes.back(); }
     /// All steps in the order made: those that can be undone, then those that can be made again.
     [[nodiscard]] std::size_t size() const { return m_undo.size() + m_redo.size(); }
     [[nodiscard]] std::size_t done() const { return m_undo.size(); }  ///< how many can be undone
@@ -181,8 +184,10 @@ private:
     std::deque<Step> m_undo;
     std::vector<Step> m_redo;
     std::vector<Step> m_aside;  ///< could be made again until the last step, which may come to nothing
-    std::uint64_t m_last = 1;   ///< number given
-    std::uint64_t m_first = 1;  ///< of the state before the first step
+    std::vector<std::uint64_t> m_scenes;  ///< numbers of the steps done that loaded one, ascending
+    std::uint64_t m_last = 1;             ///< number given
+    std::uint64_t m_first = 1;            ///< of the state before the first step
+    std::uint64_t m_firstScene = 1;       ///< before the first of m_scenes
     std::size_t m_bytes = 0;
     std::size_t m_forgotten = 0;
 };

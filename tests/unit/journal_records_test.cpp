@@ -179,6 +179,7 @@ void JournalRecordsTest::cutAnywhere() {
         QVERIFY2(read.ok(), qPrintable(messageOf(read)));
         const bool isCut = example.ends[whole - 1] != size;
         QCOMPARE(read.value().problem.empty(), !isCut);
+        QCOMPARE(read.value().lostLines, std::size_t{0});  // a line that is cut was never whole
         QCOMPARE(read.value().goodBytes, static_cast<std::size_t>(example.ends[whole - 1]));
         QCOMPARE(writeDocument(read.value().document), example.states[whole - 1]);
     }
@@ -196,6 +197,8 @@ void JournalRecordsTest::damagedAnywhere() {
         if (read) {
             QVERIFY(!read.value().problem.empty());
             QCOMPARE(writeDocument(read.value().document), example.states[whole - 1]);
+            const std::size_t ends = example.bytes[at] == '\n' ? 1 : 0;  // two lines became one
+            QCOMPARE(read.value().lostLines, example.ends.size() - whole - ends);
         }
     }
 }

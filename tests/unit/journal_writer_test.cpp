@@ -294,6 +294,7 @@ void JournalWriterTest::noFolder() {
     QVERIFY(writer.wait(kPatience));
     QTest::qWait(1);
     QCOMPARE(failed.size(), 1);
+    QVERIFY(!writer.isKept(1));  // though no call waits
     const Error error = failed[0][0].value<Error>();
     QVERIFY(error.message().find("Your work cannot be kept safe against a crash: ") != std::string::npos);
     QVERIFY(!error.advice.empty() && !error.where.empty());
@@ -301,6 +302,7 @@ void JournalWriterTest::noFolder() {
     writer.begin(exampleDocument());
     writer.edit(0, 1, {});
     QVERIFY(writer.wait(kPatience));
+    QVERIFY(writer.isKept(writer.handedOver()));
     QCOMPARE(recovered(writer.path()).document.hits.size(), std::size_t(2));
     const qsizetype asked = wanted.size();
     QTest::qWait(200);

@@ -54,6 +54,45 @@ class SceneUndoTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    void scenesAreTold() {
+        Session session;
+        loadPaperRow(session, kDefaultPaperRow);
+        const std::uint64_t first = session.steps().scene();
+        const auto add = [&session] {
+            Hit hit;
+            hit.target = session.targets().front()->id;
+            QVERIFY(session.hits().add(hit));
+        };
+        add();
+        QCOMPARE(session.steps().scene(), first);
+        loadTeapot(session);
+        const std::uint64_t second = session.steps().scene();
+        QVERIFY(second != first);
+        add();
+        add();
+        QCOMPARE(session.steps().scene(), second);
+        session.goToStep(1);
+        QCOMPARE(session.steps().scene(), first);
+        session.goToStep(3);
+        QCOMPARE(session.steps().scene(), second);
+        session.undo();
+        session.undo();
+        QCOMPARE(session.steps().scene(), first);
+    }
+
+    /// It can be undone to what was before the last target went.
+    void aSceneAfterNoTargetsIsAStep() {
+        Session session;
+        loadTeapot(session);
+        session.targets().remove(std::vector{session.targets().front()->id});
+        QVERIFY(session.targets().empty());
+        loadPaperRow(session, kDefaultPaperRow);
+        session.undo();
+        QVERIFY(session.targets().empty());
+        session.undo();
+        QCOMPARE(session.targets().size(), std::size_t{1});
+    }
+
     void anotherSceneIsOneStep() {
         Session session;
         loadPaperRow(session, kDefaultPaperRow);

@@ -241,6 +241,7 @@ void CameraActions::followBookmarks() {
     for (int index = 0; index < kBookmarks; ++index) {
         m_recall[index]->setToolTip(m_bookmarks[index]);
     }
+    Q_EMIT bookmarksChanged();
 }
 
 void CameraActions::load(const QSettings& settings) {

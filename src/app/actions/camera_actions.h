@@ -55,6 +55,7 @@ public:
 Q_SIGNALS:
     void said(const QString& text);  ///< worth a line in the status bar
     void failed(const hitscope::Error& error);
+    void bookmarksChanged();
 
 private:
     void fillViews(QMenu& menu);

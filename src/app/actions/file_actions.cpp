@@ -82,6 +82,7 @@ FileActions::FileActions(const Parts& parts) : QObject(&parts.window), m_parts(p
         Q_EMIT said({});
     });
     connect(&m_parts.sessions, &SessionFiles::opened, this, &FileActions::takeSession);
+    connect(&m_parts.sessions, &SessionFiles::openingBegun, &m_parts.files, &SceneFiles::cancel);
     connect(&m_parts.sessions, &SessionFiles::saved, this, [this](const QString& path) {
         remember(path);
         Q_EMIT opened();
@@ -123,7 +124,14 @@ void FileActions::followFile() {
 
 // Sessions
 
+/// What is being opened does not take the place of what comes next.
+void FileActions::giveUpOpening() {
+    m_parts.files.cancel();
+    m_parts.sessions.cancel();
+}
+
 void FileActions::startNew() {
+    giveUpOpening();
     loadTeapot(m_parts.session);
     m_parts.sessions.leave();
 }
@@ -151,6 +159,7 @@ void FileActions::fillScenes(QMenu& menu) {
     for (std::size_t row = 0; row < paperRows().size(); ++row) {
         addAction(rows, tr("Row %1: %2").arg(row + 1).arg(paperRows()[row].label()), {}, this, [this, row] {
             m_parts.guard.ask([this, row] {
+                giveUpOpening();
                 loadPaperRow(m_parts.session, static_cast<int>(row));
                 m_parts.sessions.leave();
             });
@@ -214,16 +223,12 @@ void FileActions::askAndOpen(const QStringList& paths) {
 
 void FileActions::askAndOpenDocument(SessionDocument document) {
     const auto shared = std::make_shared<SessionDocument>(std::move(document));
-    m_parts.guard.ask([this, shared] {
-        m_parts.files.cancel();
-        m_parts.sessions.openDocument(*shared, {});
-    });
+    m_parts.guard.ask([this, shared] { m_parts.sessions.openDocument(*shared, {}); });
 }
 
 void FileActions::open(const QStringList& paths) {
     const auto session = std::find_if(paths.begin(), paths.end(), isSession);
-    m_parts.files.cancel();
-    m_parts.sessions.cancel();
+    giveUpOpening();
     if (session == paths.end()) {
         m_parts.files.open(paths);
     } else {
@@ -241,6 +246,7 @@ void FileActions::chooseAddition() {
 }
 
 void FileActions::loadSample(SampleScene scene) {
+    giveUpOpening();
     m_parts.files.make(sampleSceneName(scene), SceneFiles::Into::NewScene,
                        [scene] { return planSampleScene(scene); });
 }

@@ -71,6 +71,7 @@ private:
     [[nodiscard]] static QString sessionsFilter();
     bool askAndReplace();
     void choose();
+    void giveUpOpening();
     void startNew();
     void askAndRevert();
     void offerElsewhere(const Error& error);

@@ -12,7 +12,8 @@ namespace hitscope {
 
 namespace {
 
-constexpr int kPatience = 2'000;  // milliseconds
+constexpr int kPatience = 2'000;   // milliseconds
+constexpr int kLookAgain = 1'000;  // milliseconds
 
 }  // namespace
 
@@ -29,12 +30,18 @@ JournalKeeping::JournalKeeping(Session& session, SessionFiles& files, WindowView
         m_file.clear();  // a new journal says nothing of it yet
         noteFile();
     });
-    connect(&files, &SessionFiles::left, m_journal, &SessionJournal::finish);
+    connect(&files, &SessionFiles::left, this, &JournalKeeping::finish);
+    m_untilKept.setInterval(kLookAgain);
+    connect(&m_untilKept, &QTimer::timeout, this, &JournalKeeping::lookWhetherKept);
     connect(&viewport, &Viewport::optionsChanged, m_journal, &SessionJournal::viewChanged);
     connect(&m_journal->writer(), &JournalWriter::failed, this, [this](const Error& error) {
         Q_EMIT noticeWanted(tr("Changes are not kept for recovery: %1 Save often.")
                                 .arg(QString::fromStdString(error.message())));
     });
+}
+
+void JournalKeeping::viewChanged() {
+    m_journal->viewChanged();
 }
 
 void JournalKeeping::flush() {
@@ -43,6 +50,7 @@ void JournalKeeping::flush() {
 
 void JournalKeeping::finish() {
     m_journal->finish();
+    tellKept();
 }
 
 /// Undone or redone until it is as its file has it, there is nothing to recover.
@@ -57,7 +65,7 @@ void JournalKeeping::noteFile() {
             this,
             [this] {
                 if (isAsSaved()) {
-                    m_journal->finish();
+                    finish();
                 }
             },
             Qt::QueuedConnection);
@@ -70,18 +78,34 @@ void JournalKeeping::noteFile() {
 
 void JournalKeeping::takeSaved() {
     if (!m_files.isModified()) {  // meanwhile
-        m_journal->finish();
+        finish();
     }
 }
 
 void JournalKeeping::takeOpened(const QString& path) {
     if (!path.isEmpty()) {
-        m_journal->finish();
+        finish();
         return;
     }
-    // What it was recovered from goes next.
     m_journal->keep();
+    m_wanted = m_journal->writer().handedOver();
+    m_untilKept.start();
     m_journal->writer().wait(kPatience);
+    // Those who are told that it was opened come first.
+    QMetaObject::invokeMethod(this, &JournalKeeping::lookWhetherKept, Qt::QueuedConnection);
+}
+
+void JournalKeeping::lookWhetherKept() {
+    if (m_journal->writer().isKept(m_wanted)) {
+        tellKept();
+    }
+}
+
+void JournalKeeping::tellKept() {
+    if (m_untilKept.isActive()) {
+        m_untilKept.stop();
+        Q_EMIT recoveredKept();
+    }
 }
 
 }  // namespace hitscope

@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <QString>
+#include <QTimer>
 
 namespace hitscope {
 
@@ -21,21 +22,28 @@ public:
     JournalKeeping(Session& session, SessionFiles& files, WindowView& view, Viewport& viewport,
                    QObject* parent);
 
-    void flush();   ///< what has been noted goes to the file now
-    void finish();  ///< the session is saved, or is not wanted any more
+    void viewChanged();  ///< what the window adds to the session
+    void flush();        ///< what has been noted goes to the file now
+    void finish();       ///< the session is saved, or is not wanted any more
 
 Q_SIGNALS:
     void noticeWanted(const QString& text);  ///< why there can be no journal
+    /// What was recovered is kept anew, or is saved, or is not wanted: what it was recovered from may go.
+    void recoveredKept();
 
 private:
     [[nodiscard]] bool isAsSaved() const;
     void noteFile();
     void takeSaved();
     void takeOpened(const QString& path);
+    void lookWhetherKept();
+    void tellKept();
 
     SessionFiles& m_files;
     SessionJournal* m_journal;
-    QString m_file;  ///< that the journal names
+    QString m_file;            ///< that the journal names
+    QTimer m_untilKept;        ///< runs while what was recovered is not kept anew
+    std::size_t m_wanted = 0;  ///< calls of the writer that have to be kept for that
 };
 
 }  // namespace hitscope
