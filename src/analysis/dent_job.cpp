@@ -44,7 +44,7 @@ void DentJob::measure(const std::stop_token& stop) {
     const std::optional<std::uint32_t> seed =
         vertex || !isApplied ? vertex : part.copy->hits().deepestOf(m_hit);
     const std::vector<std::uint32_t> whole =
-        seed ? dentAround(*seed, mesh.triangles(), before, after) : std::vector<std::uint32_t>();
+        seed ? dentAround(*seed, mesh.triangles(), before, after, mesh.sewn()) : std::vector<std::uint32_t>();
     const std::vector<std::uint32_t> own = whole.empty() ? whole : nameHits(whole, stop);
     const std::vector<std::uint32_t>& vertices = own.empty() ? whole : own;
     report.dent = measureDent(vertices, mesh.triangles(), before, after, whole);

@@ -14,6 +14,7 @@
 #include "io/csv_writer.h"
 #include "mesh/dent.h"
 #include "mesh/surface/disjoint_sets.h"
+#include "mesh/surface/sewn_vertices.h"
 
 namespace hitscope::cli {
 
@@ -36,7 +37,8 @@ std::vector<std::uint32_t> fileTriangles(const RenderMesh& mesh) {
     return triangles;
 }
 
-/// The moved vertices, those together that edges of triangles join; by their lowest.
+/// The moved vertices, those together that edges of triangles join, or that stand for one another where the
+/// file split the surface; by their lowest.
 std::vector<std::vector<std::uint32_t>> movedPieces(const DeformedMesh& mesh,
                                                     std::span<const std::uint32_t> triangles) {
     DisjointSets sets(mesh.positions().size());
@@ -48,6 +50,10 @@ std::vector<std::vector<std::uint32_t>> movedPieces(const DeformedMesh& mesh,
                 sets.join(a, b);
             }
         }
+    }
+    const std::vector<std::uint32_t> sewn = sewnVertices(mesh.original().positions, triangles);
+    for (std::uint32_t vertex = 0; vertex < sewn.size(); ++vertex) {
+        sets.join(vertex, sewn[vertex]);
     }
     std::map<std::uint32_t, std::vector<std::uint32_t>> byRoot;
     for (const std::uint32_t vertex : mesh.onceChanged()) {

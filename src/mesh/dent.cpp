@@ -189,7 +189,8 @@ private:
 }  // namespace
 
 std::vector<std::uint32_t> dentAround(std::uint32_t seed, std::span<const std::uint32_t> triangles,
-                                      std::span<const glm::vec3> before, std::span<const glm::vec3> after) {
+                                      std::span<const glm::vec3> before, std::span<const glm::vec3> after,
+                                      std::span<const std::uint32_t> sewn) {
     const auto moved = [&](std::uint32_t vertex) { return before[vertex] != after[vertex]; };
     if (seed >= before.size() || !moved(seed)) {
         return {};
@@ -203,6 +204,9 @@ std::vector<std::uint32_t> dentAround(std::uint32_t seed, std::span<const std::u
                 sets.join(a, b);
             }
         }
+    }
+    for (std::uint32_t vertex = 0; vertex < sewn.size(); ++vertex) {
+        sets.join(vertex, sewn[vertex]);  // hits move all vertices of a place alike
     }
     std::vector<std::uint32_t> dent;
     for (std::uint32_t vertex = 0; vertex < before.size(); ++vertex) {

@@ -27,11 +27,13 @@ struct DentMeasures {
 
 /// The vertices around `seed` that have moved: it and what can be reached from it along edges of triangles
 /// through vertices that are elsewhere in `after` than in `before`. Ascending; empty if the seed has not
-/// moved. The triangles (three indices each), `before` and `after` are of the file's vertices.
+/// moved. The triangles (three indices each), `before` and `after` are of the file's vertices. `sewn`: which
+/// vertex stands for each where the file split the surface (sewnVertices()); empty: each for itself.
 [[nodiscard]] std::vector<std::uint32_t> dentAround(std::uint32_t seed,
                                                     std::span<const std::uint32_t> triangles,
                                                     std::span<const glm::vec3> before,
-                                                    std::span<const glm::vec3> after);
+                                                    std::span<const glm::vec3> after,
+                                                    std::span<const std::uint32_t> sewn = {});
 
 /// Measures what happened to `vertices` (ascending). The volume is what the triangles sweep on their straight
 /// way from before to after, which for a whole dent that does not reach the surface's boundary is exactly

@@ -10,6 +10,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "mesh/surface/sewn_vertices.h"
+
 namespace hitscope {
 
 namespace {
@@ -136,6 +138,7 @@ MeshSections::MeshSections(const RenderMesh& mesh) {
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
         positions[mesh.fileVertices[i]] = mesh.vertices[i].position;
     }
+    m_sewn = std::make_shared<const std::vector<std::uint32_t>>(sewnVertices(positions, m_triangles));
     setPositions(positions);
 }
 
@@ -201,6 +204,10 @@ std::size_t MeshSections::trianglesNear(const Plane& plane) const {
 
 std::vector<SectionCurve> MeshSections::cut(const Plane& plane) const {
     CutGraph graph;
+    const auto at = [this](std::size_t corner) {
+        const std::uint32_t vertex = m_triangles[corner];
+        return m_sewn->empty() ? vertex : (*m_sewn)[vertex];
+    };
     for (std::size_t run = 0; run < m_runs.size(); ++run) {
         if (!reaches(m_runs[run], plane)) {
             continue;
@@ -210,8 +217,8 @@ std::vector<SectionCurve> MeshSections::cut(const Plane& plane) const {
             std::array<std::uint32_t, 2> ends{};
             std::size_t cuts = 0;
             for (std::size_t corner = 0; corner < 3; ++corner) {
-                const std::uint32_t a = m_triangles[first + corner];
-                const std::uint32_t b = m_triangles[first + (corner + 1) % 3];
+                const std::uint32_t a = at(first + corner);
+                const std::uint32_t b = at(first + (corner + 1) % 3);
                 const bool isAboveA = heightOver(plane, m_positions[a]) >= 0.0f;
                 const bool isAboveB = heightOver(plane, m_positions[b]) >= 0.0f;
                 if (isAboveA != isAboveB) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -26,8 +27,9 @@ struct SectionCurve {
 };
 
 /// Cuts a mesh by planes. Cuts through an edge are the same point for all its triangles, so that curves are
-/// whole where the mesh is; a vertex that lies on the plane counts as above it. After the boxes of runs of
-/// triangles are made, a cut costs what it cuts and a look at each box.
+/// whole where the mesh is, even if its file split it (sewnVertices()); a vertex that lies on the plane
+/// counts as above it. After the boxes of runs of triangles are made, a cut costs what it cuts and a look at
+/// each box.
 class MeshSections {
 public:
     explicit MeshSections(const RenderMesh& mesh);
@@ -45,14 +47,17 @@ public:
     [[nodiscard]] std::span<const glm::vec3> positions() const { return m_positions; }
     /// 3 a triangle, indices of the file's vertices.
     [[nodiscard]] std::span<const std::uint32_t> triangles() const { return m_triangles; }
+    /// By vertex of the file, which one stands for it; empty: each for itself. See sewnVertices().
+    [[nodiscard]] std::span<const std::uint32_t> sewn() const { return *m_sewn; }
 
 private:
     void listRuns();
     [[nodiscard]] Bounds boxOf(std::size_t run) const;
 
     std::vector<glm::vec3> m_positions;
-    std::vector<std::uint32_t> m_triangles;  ///< neighbours in space are near each other
-    std::vector<Bounds> m_runs;              ///< of kRun triangles each
+    std::shared_ptr<const std::vector<std::uint32_t>> m_sewn;  ///< of all copies
+    std::vector<std::uint32_t> m_triangles;                    ///< neighbours in space are near each other
+    std::vector<Bounds> m_runs;                                ///< of kRun triangles each
     std::vector<std::uint32_t> m_runStarts;  ///< of each vertex in m_runsOf, and their end; empty: not made
     std::vector<std::uint32_t> m_runsOf;     ///< runs that a vertex is in, by vertex
 };

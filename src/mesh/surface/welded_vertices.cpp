@@ -27,17 +27,21 @@ std::vector<bool> usedVertices(const MeshData& mesh) {
 }
 
 std::vector<std::uint32_t> weldedVertices(const MeshData& mesh) {
-    const std::vector<bool> used = usedVertices(mesh);
-    std::vector<std::uint32_t> standsFor(mesh.vertexCount());
+    return weldedVertices(mesh.positions, usedVertices(mesh));
+}
+
+std::vector<std::uint32_t> weldedVertices(std::span<const glm::vec3> positions,
+                                          const std::vector<bool>& used) {
+    std::vector<std::uint32_t> standsFor(positions.size());
     // Twice as many places as vertices or more, each empty or the first vertex there; who finds his taken by
     // another place goes on to the next. A map would take ten times the memory.
-    const std::size_t mask = std::bit_ceil(2 * mesh.vertexCount() + 1) - 1;
+    const std::size_t mask = std::bit_ceil(2 * positions.size() + 1) - 1;
     std::vector<std::uint32_t> places(mask + 1, kNoIndex);
     for (std::uint32_t v = 0; v < standsFor.size(); ++v) {
         standsFor[v] = v;
         if (used[v]) {
-            std::size_t at = hashOf(mesh.positions[v]) & mask;
-            while (places[at] != kNoIndex && mesh.positions[places[at]] != mesh.positions[v]) {
+            std::size_t at = hashOf(positions[v]) & mask;
+            while (places[at] != kNoIndex && positions[places[at]] != positions[v]) {
                 at = (at + 1) & mask;
             }
             if (places[at] == kNoIndex) {
