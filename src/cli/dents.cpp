@@ -114,8 +114,9 @@ std::vector<Dent> dentsOf(const Session& session, const Target& target, bool tel
     DentHits who;
     who.follow(target.deformed.sharedRender(), hits);
     std::vector<Dent> dents;
-    const auto add = [&](DentPart part) {
-        const std::optional<DentMeasures> measures = measureDent(part.vertices, triangles, before, after);
+    const auto add = [&](DentPart part, std::span<const std::uint32_t> whole = {}) {
+        const std::optional<DentMeasures> measures =
+            measureDent(part.vertices, triangles, before, after, whole);
         if (!measures) {
             return;  // vertices of no triangle
         }
@@ -134,7 +135,7 @@ std::vector<Dent> dentsOf(const Session& session, const Target& target, bool tel
         std::vector<std::size_t> made = who.madeBy(vertices, box);
         if (tellsApart && made.size() > 1) {
             for (DentPart& part : toldApart(target.deformed.render(), vertices, hits, made)) {
-                add(std::move(part));
+                add(std::move(part), vertices);
             }
         } else {
             add({std::move(vertices), std::move(made)});
