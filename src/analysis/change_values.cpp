@@ -23,6 +23,17 @@ std::size_t clusterOf(std::uint32_t renderVertex) {
     return renderVertex / kClusterVertices;
 }
 
+/// Of some vertices' values, the one of largest magnitude.
+template <class ValueOf>
+auto largestOf(std::span<const std::uint32_t> vertices, const ValueOf& valueOf) {
+    auto largest = valueOf(vertices.front());
+    for (const std::uint32_t vertex : vertices.subspan(1)) {
+        const auto value = valueOf(vertex);
+        largest = std::abs(value) > std::abs(largest) ? value : largest;
+    }
+    return largest;
+}
+
 }  // namespace
 
 struct ChangeValues::TargetValues {
@@ -136,8 +147,12 @@ void ChangeValues::touch(TargetId id, std::span<const std::uint32_t> renderVerti
     if (!values) {
         values = std::make_unique<TargetValues>(*target);
     }
+    const RenderMesh& render = target->deformed.render();
     for (const std::uint32_t vertex : renderVertices) {
         mark(*values, clusterOf(vertex));
+        if (changeTraits(*m_quantity).usesNormal) {  // it is counted with the first of its file vertex
+            mark(*values, clusterOf(render.renderVerticesOf(render.fileVertices[vertex]).front()));
+        }
     }
     work();
 }
@@ -195,12 +210,17 @@ void ChangeValues::measure(TargetValues& values, std::size_t cluster) {
         const double value = shape ? valueOf(values, *shape, vertex) : 0.0;
         values.values[vertex] = static_cast<float>(value);
         const std::uint32_t fileVertex = render.fileVertices[vertex];
-        // A file vertex that is drawn with several normals counts once. One that is not drawn has no colour,
-        // but may differ.
-        if ((vertex < render.drawnVertices || *m_quantity == ChangeQuantity::Difference) &&
-            (value != 0.0 || (shape && shape->deformed->isChanged(fileVertex))) &&
-            render.renderVerticesOf(fileVertex).front() == vertex) {
-            summary.add(value);
+        // One that is not drawn has no colour, but may differ.
+        const std::span<const std::uint32_t> all = render.renderVerticesOf(fileVertex);
+        if ((vertex >= render.drawnVertices && *m_quantity != ChangeQuantity::Difference) ||
+            all.front() != vertex) {
+            continue;
+        }
+        const double largest = !shape || !changeTraits(*m_quantity).usesNormal
+                                   ? value
+                                   : largestOf(all, [&](auto v) { return valueOf(values, *shape, v); });
+        if (largest != 0.0 || (shape && shape->deformed->isChanged(fileVertex))) {
+            summary.add(largest);
         }
     }
     values.tree.set(cluster, summary);
@@ -352,10 +372,12 @@ void ChangeValues::workOnHistogram() {
             const Cluster& run = render.clusters[m_growingCluster];
             for (std::uint32_t vertex = run.first; vertex < run.first + run.count; ++vertex) {
                 const std::uint32_t fileVertex = render.fileVertices[vertex];
-                const float value = values.values[vertex];
-                if (vertex < render.drawnVertices &&
-                    (value != 0.0f || values.target->deformed.isChanged(fileVertex)) &&
-                    render.renderVerticesOf(fileVertex).front() == vertex) {
+                const std::span<const std::uint32_t> all = render.renderVerticesOf(fileVertex);
+                if (vertex >= render.drawnVertices || all.front() != vertex) {
+                    continue;
+                }
+                const float value = largestOf(all, [&](auto v) { return values.values[v]; });
+                if (value != 0.0f || values.target->deformed.isChanged(fileVertex)) {
                     // Rounded to float it may lie just beyond the span.
                     m_growing.add(std::clamp(static_cast<double>(value), m_growing.low, m_growing.high));
                 }
@@ -373,28 +395,6 @@ void ChangeValues::workOnHistogram() {
     if (m_histogramStale) {
         m_histogramTimer.start(kHistogramPause);
     }
-}
-
-ChangeRange shownRange(const ChangeMapOptions& options, const Summary& summary) {
-    const QuantityStyle& style = options.style();
-    if (!style.automatic) {
-        return style.fixed;
-    }
-    if (summary.count == 0) {
-        return defaultQuantityStyles()[static_cast<std::size_t>(options.quantity)].fixed;
-    }
-    const double largest = std::max(std::abs(summary.low), std::abs(summary.high));
-    const auto end = static_cast<float>(largest > 0.0 ? largest : 1e-6);
-    return {changeTraits(options.quantity).isSigned ? -end : 0.0f, end};
-}
-
-ShownChange shownChange(const ChangeMapOptions& options, const Summary& summary) {
-    ShownChange shown{options.quantity, options.style().map, shownRange(options, summary), 0.0f};
-    if (options.isolines) {
-        shown.isolineStep = static_cast<float>(
-            niceStep(static_cast<double>(shown.range.low), static_cast<double>(shown.range.high), kIsolines));
-    }
-    return shown;
 }
 
 }  // namespace hitscope

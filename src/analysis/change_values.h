@@ -19,7 +19,8 @@
 namespace hitscope {
 
 /// One quantity of change of every vertex as the session has read it back: its values, what they amount to,
-/// how they are distributed. Counted are the vertices whose position changed or whose value is not 0.
+/// how they are distributed. Counted are the vertices whose position changed or whose value is not 0. One
+/// that is drawn with several normals counts once, by its value of largest magnitude.
 ///
 /// Follows the read-back cluster by cluster, so that a hit costs what it reached. What would take longer than
 /// a few milliseconds (another quantity, everything undone on a large mesh) is done in slices between the

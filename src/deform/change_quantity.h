@@ -33,6 +33,7 @@ struct ChangeTraits {
     std::string_view description;  ///< one sentence
     bool isSigned = false;
     bool inShader = true;       ///< change.glsl finds it from the vertex alone; else it comes in a buffer
+    bool usesNormal = false;    ///< a vertex that is drawn with several normals has several values
     bool isAlone = true;        ///< a vertex that did not move has none, whatever its neighbours did
     float usualLargest = 0.5f;  ///< the end of a range that a few hits fill
 };
