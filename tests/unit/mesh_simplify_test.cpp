@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numbers>
 
 #include "mesh/primitives.h"
 #include "mesh/refine/moved_shape.h"
@@ -59,6 +60,7 @@ private Q_SLOTS:
     void keepsSeamsAndMaterials_data();
     void keepsSeamsAndMaterials();
     void keepsASeamInAPlane();
+    void keepsWhereASeamEnds();
     void refusesSharesThatMeanNothing();
     void smoothingEvensASpikeOut();
     void smoothingLeavesOthersInEveryBit();
@@ -199,6 +201,56 @@ void MeshSimplifyTest::keepsASeamInAPlane() {
             QVERIFY(texcoord == glm::vec2(position.x + (isRight ? kApart : 0.0f), position.y));
         }
         QVERIFY(has[0] != has[1]);
+    }
+}
+
+/// Texture coordinates go round the middle, from where a seam runs to the right: there they are 0 above it
+/// and the distance to the middle below.
+void MeshSimplifyTest::keepsWhereASeamEnds() {
+    constexpr int kHalf = 6;
+    const auto roundAt = [](const glm::vec3& at, bool isBelow) {
+        const double angle = std::atan2(static_cast<double>(at.y), static_cast<double>(at.x));
+        const double turns = angle / (2.0 * std::numbers::pi) + (angle < 0.0 || isBelow ? 1.0 : 0.0);
+        const float radius = glm::length(at);
+        return glm::vec2(radius * static_cast<float>(turns), radius);
+    };
+    const auto isOnSeam = [](const glm::vec3& at) { return at.y == 0.0f && at.x >= 0.0f; };
+    MeshData sheet;
+    sheet.faceStarts.assign(1, 0);
+    for (int y = -kHalf; y <= kHalf; ++y) {
+        for (int x = -kHalf; x <= kHalf; ++x) {
+            sheet.positions.emplace_back(static_cast<float>(x), static_cast<float>(y), 0.0f);
+        }
+    }
+    for (const bool isBelow : {false, true}) {
+        for (const glm::vec3& at : sheet.positions) {
+            sheet.texcoords.push_back(roundAt(at, isBelow && isOnSeam(at)));
+        }
+    }
+    constexpr int kRow = 2 * kHalf + 1;
+    for (int y = 0; y < 2 * kHalf; ++y) {
+        for (int x = 0; x < 2 * kHalf; ++x) {
+            for (const int vertex :
+                 {y * kRow + x, y * kRow + x + 1, (y + 1) * kRow + x + 1, (y + 1) * kRow + x}) {
+                sheet.cornerVertices.push_back(static_cast<std::uint32_t>(vertex));
+                sheet.cornerTexcoords.push_back(
+                    static_cast<std::uint32_t>(vertex + (y < kHalf ? kRow * kRow : 0)));
+            }
+            sheet.faceStarts.push_back(static_cast<std::uint32_t>(sheet.cornerVertices.size()));
+        }
+    }
+    const MeshData made = simplified(sheet, {.share = 0.1f, .region = {}});
+    QVERIFY(trianglesOf(made) < trianglesOf(sheet) / 3);
+    for (std::size_t f = 0; f < made.faceCount(); ++f) {
+        glm::vec3 middle(0.0f);
+        for (const std::uint32_t vertex : made.face(f)) {
+            middle += made.positions[vertex];
+        }
+        for (std::uint32_t c = made.faceStarts[f]; c < made.faceStarts[f + 1]; ++c) {
+            const glm::vec3& at = made.positions[made.cornerVertices[c]];
+            const glm::vec2 expected = roundAt(at, isOnSeam(at) && middle.y < 0.0f);
+            QVERIFY(glm::distance(made.texcoords[made.cornerTexcoords[c]], expected) < 1.0e-5f);
+        }
     }
 }
 

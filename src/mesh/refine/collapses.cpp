@@ -79,14 +79,36 @@ struct CornerBook {
     [[nodiscard]] bool isSameNormal(std::uint32_t a, std::uint32_t b) const {
         return a == b || (a != kNoIndex && b != kNoIndex && mesh->normals[a] == mesh->normals[b]);
     }
+    [[nodiscard]] bool isSame(const RefineCorner& a, const RefineCorner& b) const {
+        return isSameTexcoord(a.texcoord, b.texcoord) && isSameNormal(a.normal, b.normal);
+    }
+
+    /// A seam of texture coordinates ends at a vertex: two faces have the same there, but not at the other
+    /// end of their edge. Wherever it went, faces would come to lie on both sides of the seam.
+    [[nodiscard]] bool endsSeam(const CollapsedMesh& faces, Vertex vertex) const {
+        for (const OpenMesh::HalfedgeHandle edge : faces.voh_range(vertex)) {
+            const OpenMesh::FaceHandle left = faces.face_handle(edge);
+            const OpenMesh::FaceHandle right = faces.opposite_face_handle(edge);
+            if (!left.is_valid() || !right.is_valid() || triangle(left).part != triangle(right).part) {
+                continue;
+            }
+            const Vertex other = faces.to_vertex_handle(edge);
+            if (isSameTexcoord(corner(left, vertex).texcoord, corner(right, vertex).texcoord) &&
+                !isSameTexcoord(corner(left, other).texcoord, corner(right, other).texcoord)) {
+                return true;
+            }
+        }
+        return false;
+    }
 
     /// The corner that a face gets at v1 in place of the one at v0: what a face that goes has there, if it
     /// has the same as this one at v0. Nothing: neither has, and the collapse would tear a seam or move a
-    /// border.
+    /// border; or both have, but not the same at v1, as where a crease ends.
     [[nodiscard]] std::optional<RefineCorner> moved(
         const OpenMesh::Decimater::CollapseInfoT<CollapsedMesh>& at, OpenMesh::FaceHandle face) const {
         const RefineCorner& from = corner(face, at.v0);
         std::optional<RefineCorner> found;
+        bool isFoundSmooth = false;
         for (const OpenMesh::FaceHandle going : {at.fl, at.fr}) {
             if (!going.is_valid() || triangle(going).part != triangle(face).part) {
                 continue;
@@ -94,9 +116,14 @@ struct CornerBook {
             const RefineCorner& same = corner(going, at.v0);
             if (isSameTexcoord(same.texcoord, from.texcoord)) {
                 const bool isSmooth = isSameNormal(same.normal, from.normal);
+                RefineCorner other = corner(going, at.v1);
+                other.normal = isSmooth ? other.normal : kNoIndex;
+                if (found && isSmooth == isFoundSmooth && !isSame(*found, other)) {
+                    return std::nullopt;
+                }
                 if (!found || isSmooth) {
-                    found = corner(going, at.v1);
-                    found->normal = isSmooth ? found->normal : kNoIndex;
+                    found = other;
+                    isFoundSmooth = isSmooth;
                 }
             }
         }
@@ -114,6 +141,13 @@ public:
     void setBook(CornerBook& book) { m_book = &book; }
 
     float collapse_priority(const CollapseInfo& at) override {
+        if (at.v0 != m_asked) {  // of all edges of a vertex in turn
+            m_asked = at.v0;
+            m_isEnd = !m_book->mesh->texcoords.empty() && m_book->endsSeam(Base::mesh(), at.v0);
+        }
+        if (m_isEnd) {
+            return static_cast<float>(Base::ILLEGAL_COLLAPSE);
+        }
         for (const OpenMesh::FaceHandle face : Base::mesh().vf_range(at.v0)) {
             if (face != at.fl && face != at.fr && !m_book->moved(at, face)) {
                 return static_cast<float>(Base::ILLEGAL_COLLAPSE);
@@ -123,6 +157,7 @@ public:
     }
 
     void preprocess_collapse(const CollapseInfo& at) override {
+        m_asked.invalidate();
         for (const OpenMesh::FaceHandle face : Base::mesh().vf_range(at.v0)) {
             if (face == at.fl || face == at.fr) {
                 continue;
@@ -140,6 +175,8 @@ public:
 
 private:
     CornerBook* m_book = nullptr;
+    Vertex m_asked;  ///< not valid: none
+    bool m_isEnd = false;
 };
 
 /// Asks now and then whether to go on.
