@@ -22,7 +22,7 @@ HitList::HitList(Session& session, HitHistoryModel& model, QObject* parent)
     : QAbstractProxyModel(parent), m_session(session), m_model(model) {
     m_delay.setSingleShot(true);
     m_delay.setInterval(kDelay);
-    connect(&m_delay, &QTimer::timeout, this, &HitList::list);
+    connect(&m_delay, &QTimer::timeout, this, &HitList::listAgain);
     followModel();
 }
 
@@ -134,6 +134,9 @@ bool HitList::dropMimeData(const QMimeData* data, Qt::DropAction action, int row
 void HitList::appended(int first, int last) {
     if (!m_isListed) {
         endInsertRows();
+        if (m_isSorting && !m_delay.isActive()) {
+            m_delay.start();  // what is being sorted goes without them
+        }
         return;
     }
     m_places.resize(static_cast<std::size_t>(last) + 1, kNowhere);
@@ -162,9 +165,10 @@ void HitList::changed(const QModelIndex& topLeft, const QModelIndex& bottomRight
     if (!m_isListed) {
         Q_EMIT dataChanged(createIndex(topLeft.row(), topLeft.column()),
                            createIndex(bottomRight.row(), bottomRight.column()), roles);
-        return;
-    }
-    if (!m_rows.empty()) {
+        if (!m_isSorting) {
+            return;
+        }
+    } else if (!m_rows.empty()) {
         const bool isOne = topLeft.row() == bottomRight.row();
         const QModelIndex first = isOne ? mapFromSource(topLeft) : createIndex(0, topLeft.column());
         const int last = isOne ? first.row() : rowCount() - 1;
@@ -301,6 +305,15 @@ void HitList::list() {
     workBeside(
         this, [keys, order = m_order] { sortKeys(*keys, order); },
         [keys, number = m_sortNumber](HitList& self, bool) { self.takeSorted(*keys, number); });
+}
+
+/// What is being sorted is shown first, however fast values change.
+void HitList::listAgain() {
+    if (m_isSorting) {
+        m_delay.start();
+    } else {
+        list();
+    }
 }
 
 void HitList::takeSorted(const std::vector<Key>& keys, std::uint64_t number) {

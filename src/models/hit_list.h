@@ -73,6 +73,7 @@ private:
     void beginRearrange();
     void endRearrange();
     void list();
+    void listAgain();
     void listAtOnce();
     void takeSorted(const std::vector<Key>& keys, std::uint64_t number);
     [[nodiscard]] std::vector<std::uint32_t> accepted(std::uint32_t first, std::uint32_t end) const;

@@ -158,6 +158,24 @@ private Q_SLOTS:
         QCOMPARE(m_list->rowCount(), 0);
     }
 
+    /// The list is the history's until the first sorting is done, which goes without the newcomer.
+    void hitsThatComeDuringSortingAreListed() {
+        std::vector<Hit> hits(20'000);
+        for (std::size_t i = 0; i < hits.size(); ++i) {
+            hits[i].target = m_session->targets()[0]->id;
+            hits[i].point.x = 50.0f;
+            hits[i].speed = static_cast<float>((i * 7919) % 1000);
+        }
+        QVERIFY(m_session->hits().add(hits).ok());
+        m_effects->finish();
+        m_list->sort(HitHistoryModel::SpeedColumn, Qt::AscendingOrder);
+        QVERIFY(!m_list->isSettled());
+        add(0, 5000.0f);
+        QTRY_VERIFY_WITH_TIMEOUT(m_list->isSettled(), kPatience);
+        QCOMPARE(m_list->rowCount(), 20'001);
+        QCOMPARE(listed().back(), 20'001);
+    }
+
     void dropsAmongTheListed() {
         for (int i = 0; i < 6; ++i) {
             add(static_cast<std::size_t>(i % 2), static_cast<float>(i));
