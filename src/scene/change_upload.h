@@ -21,6 +21,9 @@ class ChangeUpload {
 public:
     /// Null: there are no values. They outlive this or another call.
     void follow(const ChangeValues* values);
+    /// The buffers are new ones, of all targets or of one.
+    void forget() { m_current.clear(); }
+    void forget(TargetId target) { m_current.erase(target); }
     /// Returns whether the buffers are others now.
     bool upload(TargetId target, TargetBuffers& buffers);
 

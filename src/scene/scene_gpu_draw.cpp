@@ -36,10 +36,7 @@ Status SceneGpu::Private::drawAll(Frame& frame, const View& view, unsigned frame
     const std::vector<DrawItem> items = second.itemsFor(frame.targets);
     if (frame.change) {
         const ChangeValues* own = view.comparison->values();
-        secondUpload.follow(own != nullptr ? own : view.changeValues);
-        for (const DrawItem& item : items) {
-            secondUpload.upload(item.target, second.buffersOf(item.target));
-        }
+        second.uploadChange(own != nullptr ? own : view.changeValues, items);
     }
     const std::vector<VertexMarks> secondMarks =
         view.selectionMarks ? marks.on(items) : std::vector<VertexMarks>();

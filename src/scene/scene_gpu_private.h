@@ -64,7 +64,6 @@ struct SceneGpu::Private {
     gl::Defines deformDefines;
     ChangeUpload changeUpload;
     SecondScene second;
-    ChangeUpload secondUpload;
     // For pictures that are drawn smaller than they are shown, or before they are shown; null: none so far.
     std::unique_ptr<gl::RenderTarget> ownTarget;
     std::optional<gl::Fence> ahead;           // after the picture ahead that is not shown yet

@@ -90,6 +90,7 @@ void SceneGpu::Private::followTargets() {
             continue;
         }
         isWarm = false;
+        changeUpload.forget(target->id);
         GpuTarget& made =
             targets
                 .try_emplace(target->id,

@@ -10,6 +10,7 @@ namespace hitscope {
 void SecondScene::release() {
     m_pipeline.reset();
     m_targets.clear();
+    m_changeUpload.forget();
     m_comparison = nullptr;
     m_tried.reset();
 }
@@ -46,6 +47,7 @@ void SecondScene::followTargets() {
         std::unique_ptr<GpuTarget>& made = m_targets[target->id];
         if (!made) {
             made = std::make_unique<GpuTarget>(*target);
+            m_changeUpload.forget(target->id);
             m_pipeline->addTarget(target->id, made->buffers);
         }
     }
@@ -104,6 +106,13 @@ std::vector<DrawItem> SecondScene::itemsFor(std::span<const DrawItem> items) con
         item.changedParts = &gpu.changed;
     }
     return own;
+}
+
+void SecondScene::uploadChange(const ChangeValues* values, std::span<const DrawItem> items) {
+    m_changeUpload.follow(values);
+    for (const DrawItem& item : items) {
+        m_changeUpload.upload(item.target, m_targets.at(item.target)->buffers);
+    }
 }
 
 }  // namespace hitscope

@@ -9,6 +9,7 @@
 #include "deform/history_prefix.h"
 #include "pipeline/deformation_pipeline.h"
 #include "render/renderer.h"
+#include "scene/change_upload.h"
 
 namespace hitscope {
 
@@ -28,10 +29,10 @@ public:
     [[nodiscard]] bool isReady() const { return m_pipeline != nullptr; }
     [[nodiscard]] DeformationPipeline& pipeline() { return *m_pipeline; }
     [[nodiscard]] bool isReadBackPending() const { return m_pipeline && m_pipeline->isReadBackPending(); }
-    /// The target is one of the session's.
-    [[nodiscard]] TargetBuffers& buffersOf(TargetId target) { return m_targets.at(target)->buffers; }
     /// The same targets, as this has them.
     [[nodiscard]] std::vector<DrawItem> itemsFor(std::span<const DrawItem> items) const;
+    /// Brings these values to their buffers. The items are the session's targets.
+    void uploadChange(const ChangeValues* values, std::span<const DrawItem> items);
 
 private:
     void release();
@@ -48,6 +49,7 @@ private:
     };
     std::unordered_map<TargetId, std::unique_ptr<GpuTarget>> m_targets;
     std::unique_ptr<DeformationPipeline> m_pipeline;  // below the buffers it is given, so that it goes first
+    ChangeUpload m_changeUpload;
     const Comparison* m_comparison = nullptr;
     std::uint64_t m_revision = 0;
     HistoryPrefix m_applied;  // of the history at that revision

@@ -7,6 +7,7 @@
 #include <array>
 
 #include "analysis/comparison_text.h"
+#include "analysis/hit_effects.h"
 #include "gl/pipeline_rows.h"
 #include "gl/render_target.h"
 #include "mesh/primitives.h"
@@ -131,6 +132,37 @@ private Q_SLOTS:
         comparison.setOther(std::nullopt);
         QVERIFY(settled());
         QCOMPARE(picture(), alone);
+    }
+
+    /// B has the numbers of hits, too, when its buffers are made anew: for another pipeline, or again.
+    void countsAreThoseOfEachB() {
+        Session session;
+        Comparison comparison(session);
+        open(session, comparison);
+        HitEffects effects(session);
+        ChangeValues values(session);
+        values.setHitCounts([&effects](TargetId target) { return effects.counts(target); });
+        values.setQuantity(ChangeQuantity::HitCount);
+        m_view.changeValues = &values;
+        m_view.options.sideBySide = true;
+        m_view.options.change.on = true;
+        m_view.options.change.quantity = ChangeQuantity::HitCount;
+        shootAll(session, demoShots(session, 20, 3));
+        QVERIFY(settled());
+        effects.finish();
+        values.touchAll(session.targets()[0]->id);
+        values.finish();
+        QVERIFY(values.summary().high > 0.0);
+        const std::optional<PipelineKind> none;
+        for (const auto other :
+             {std::optional(PipelineKind::UniformArray), std::optional(PipelineKind::Reference), none,
+              std::optional(PipelineKind::UniformArray)}) {
+            comparison.setOther(other);
+            QVERIFY(settled());
+            const QImage both = picture();
+            QVERIFY(!other || test::differing(both.copy(0, 0, kWidth / 2, kHeight),
+                                              both.copy(kWidth / 2, 0, kWidth / 2, kHeight), 1) == 0);
+        }
     }
 
     /// B's colours are those of its own shape.
