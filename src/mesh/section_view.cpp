@@ -116,14 +116,17 @@ SectionView sectionView(const glm::vec3& towards) {
 SectionDepths sectionDepths(std::span<const SectionCurve> original, std::span<const SectionCurve> deformed) {
     NearestOnLines lines(original);
     SectionDepths made;
+    if (lines.isEmpty()) {
+        return made;
+    }
     for (std::size_t curve = 0; curve < deformed.size(); ++curve) {
         std::vector<glm::vec3>& nearest = made.nearest.emplace_back();
         std::vector<float>& depths = made.depths.emplace_back();
         for (std::size_t i = 0; i < deformed[curve].points.size(); ++i) {
             const glm::vec3& point = deformed[curve].points[i];
-            nearest.push_back(lines.isEmpty() ? point : lines(point));
+            nearest.push_back(lines(point));
             depths.push_back(glm::distance(point, nearest.back()));
-            if (depths.back() > made.greatest) {
+            if (!made.greatest || depths.back() > *made.greatest) {
                 made.greatest = depths.back();
                 made.curve = curve;
                 made.point = i;

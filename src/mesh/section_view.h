@@ -3,6 +3,7 @@
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -35,12 +36,12 @@ struct SectionView {
 /// dents that slide along the surface count only as far as they leave its outline.
 struct SectionDepths {
     std::vector<std::vector<glm::vec3>> nearest;  ///< as `deformed`: a place on the original's lines
-    std::vector<std::vector<float>> depths;       ///< metres, to there
-    float greatest = 0.0f;
-    std::size_t curve = 0;  ///< where that is
+    std::vector<std::vector<float>> depths;       ///< metres, to there; empty without an original
+    std::optional<float> greatest;                ///< of them; nothing: there is none
+    std::size_t curve = 0;                        ///< where that is
     std::size_t point = 0;
 };
-/// Nothing to compare with: all depths are 0, and every point is its own nearest.
+/// Where the plane does not cut the original, there is nothing to compare with: no depths, no nearest places.
 [[nodiscard]] SectionDepths sectionDepths(std::span<const SectionCurve> original,
                                           std::span<const SectionCurve> deformed);
 

@@ -56,7 +56,6 @@ struct Nearest {
 void readCurve(Nearest& best, const TargetSection& section, std::size_t curve, const SectionView& view,
                const glm::dvec2& at) {
     const std::vector<glm::vec3>& points = section.deformed[curve].points;
-    const std::vector<glm::vec3>& nearest = section.depths.nearest[curve];
     for (std::size_t i = 0; i < segmentsOf(section.deformed[curve]); ++i) {
         const std::size_t next = (i + 1) % points.size();
         const glm::dvec2 a = view(points[i]);
@@ -65,10 +64,15 @@ void readCurve(Nearest& best, const TargetSection& section, std::size_t curve, c
         const double distance = glm::distance(glm::mix(a, b, along), at);
         if (distance < best.distance) {
             const auto part = static_cast<float>(along);
-            const double depth = glm::mix(static_cast<double>(section.depths.depths[curve][i]),
-                                          static_cast<double>(section.depths.depths[curve][next]), along);
-            best = {distance, SectionReading{section.target, glm::mix(points[i], points[next], part),
-                                             glm::mix(nearest[i], nearest[next], part), depth}};
+            SectionReading reading{section.target, glm::mix(points[i], points[next], part), {}, {}};
+            if (section.depths.greatest) {
+                const std::vector<glm::vec3>& nearest = section.depths.nearest[curve];
+                const std::vector<float>& depths = section.depths.depths[curve];
+                reading.nearest = glm::mix(nearest[i], nearest[next], part);
+                reading.depth =
+                    glm::mix(static_cast<double>(depths[i]), static_cast<double>(depths[next]), along);
+            }
+            best = {distance, reading};
         }
     }
 }
@@ -83,7 +87,7 @@ QString coordinateText(const SectionView::Axis& axis, const QString& word, doubl
 }
 
 void addCsv(CsvWriter& csv, const char* state, const TargetSection& section, const SectionView& view,
-            const std::vector<SectionCurve>& curves, const SectionDepths* depths) {
+            const std::vector<SectionCurve>& curves, const SectionDepths& depths) {
     constexpr int kDigits = 9;
     const std::string name = section.name.toStdString();
     for (std::size_t line = 0; line < curves.size(); ++line) {
@@ -95,9 +99,9 @@ void addCsv(CsvWriter& csv, const char* state, const TargetSection& section, con
             }
             const glm::dvec2 flat = view(point);
             csv.general(flat.x, kDigits).general(flat.y, kDigits);
-            csv.general(depths != nullptr ? std::optional(static_cast<double>(depths->depths[line][i]))
-                                          : std::nullopt,
-                        kDigits);
+            csv.general(
+                depths.greatest ? std::optional(static_cast<double>(depths.depths[line][i])) : std::nullopt,
+                kDigits);
             csv.endRow();
         }
     }
@@ -127,9 +131,9 @@ std::optional<SectionReading> readSection(const SceneSection& section, const Sec
 std::optional<SectionReading> deepestOf(const SceneSection& section, const SectionScope& scope) {
     const TargetSection* deepest = nullptr;
     for (const TargetSection& target : section.targets) {
-        const auto depth = static_cast<double>(target.depths.greatest);
+        const auto depth = static_cast<double>(target.depths.greatest.value_or(0.0f));
         if (scope.holds(target) && depth > kMoved &&
-            (deepest == nullptr || target.depths.greatest > deepest->depths.greatest)) {
+            (deepest == nullptr || *target.depths.greatest > *deepest->depths.greatest)) {
             deepest = &target;
         }
     }
@@ -138,7 +142,7 @@ std::optional<SectionReading> deepestOf(const SceneSection& section, const Secti
     }
     const SectionDepths& depths = deepest->depths;
     return SectionReading{deepest->target, deepest->deformed[depths.curve].points[depths.point],
-                          depths.nearest[depths.curve][depths.point], static_cast<double>(depths.greatest)};
+                          depths.nearest[depths.curve][depths.point], static_cast<double>(*depths.greatest)};
 }
 
 QString placeText(const SectionView& view, const glm::vec3& place) {
@@ -160,8 +164,14 @@ QString sectionText(const SceneSection& section, const SectionScope& scope) {
             add(SectionTexts::tr("Target"), target.name);
             add(SectionTexts::tr("Length, original"), metres(lengthOf(target.original)), QStringLiteral("m"));
             add(SectionTexts::tr("Length, deformed"), metres(lengthOf(target.deformed)), QStringLiteral("m"));
-            add(SectionTexts::tr("Greatest depth"), metres(static_cast<double>(target.depths.greatest)),
-                QStringLiteral("m"));
+            if (target.depths.greatest) {
+                add(SectionTexts::tr("Greatest depth"), metres(static_cast<double>(*target.depths.greatest)),
+                    QStringLiteral("m"));
+            } else {
+                add(SectionTexts::tr("Greatest depth"),
+                    target.original.empty() ? SectionTexts::tr("none, the plane does not cut the original")
+                                            : SectionTexts::tr("none, the plane cuts only the original"));
+            }
         }
     }
     if (const auto deepest = deepestOf(section, scope)) {
@@ -176,8 +186,8 @@ QByteArray sectionCsv(const SceneSection& section, const SectionScope& scope) {
     const SectionView view = sectionView(section.cut.openSide());
     for (const TargetSection& target : section.targets) {
         if (scope.holds(target)) {
-            addCsv(csv, "original", target, view, target.original, nullptr);
-            addCsv(csv, "deformed", target, view, target.deformed, &target.depths);
+            addCsv(csv, "original", target, view, target.original, {});
+            addCsv(csv, "deformed", target, view, target.deformed, target.depths);
         }
     }
     return QByteArray::fromStdString(csv.take());

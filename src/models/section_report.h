@@ -13,9 +13,10 @@ namespace hitscope {
 /// A point of a deformed section curve and what there is to say of it.
 struct SectionReading {
     TargetId target;
-    glm::vec3 place{0.0f};    ///< world, metres
-    glm::vec3 nearest{0.0f};  ///< on the original's section: sectionDepths()
-    double depth = 0.0;       ///< metres between the two
+    glm::vec3 place{0.0f};  ///< world, metres
+    /// On the original's section: sectionDepths(). Nothing: the plane does not cut the original.
+    std::optional<glm::vec3> nearest;
+    std::optional<double> depth;  ///< metres between the two, likewise
 
     bool operator==(const SectionReading&) const = default;
 };

@@ -88,7 +88,7 @@ private Q_SLOTS:
             QVERIFY(away <= radius + 1.0e-4f && away > radius * 0.995f);
         }
         QVERIFY(isSame(original, section().targets[0].deformed));
-        QCOMPARE(section().targets[0].depths.greatest, 0.0f);
+        QCOMPARE(section().targets[0].depths.greatest.value(), 0.0f);
         QVERIFY(!deepestOf(section(), {}));
     }
 
@@ -140,7 +140,7 @@ private Q_SLOTS:
         }
         settle();
         compareWithFresh(1.0f);
-        QVERIFY(section().targets[0].depths.greatest > 0.25f);
+        QVERIFY(section().targets[0].depths.greatest.value() > 0.25f);
         m_session->undo();
         readBack(*m_session);
         settle();
@@ -154,7 +154,7 @@ private Q_SLOTS:
         m_session->hits().clear();
         readBack(*m_session);
         settle();
-        QCOMPARE(section().targets[0].depths.greatest, 0.0f);
+        QCOMPARE(section().targets[0].depths.greatest.value(), 0.0f);
     }
 
     void hitsBeforeThePlaneCountToo() {
@@ -163,7 +163,7 @@ private Q_SLOTS:
         cut(across({1.0f, 0.0f, 0.0f}, target().transform.position.x));
         compareWithFresh(1.0f);
         // The one hit goes straight in by what it does at most.
-        QVERIFY(std::abs(section().targets[0].depths.greatest - 0.3f) < 0.02f);
+        QVERIFY(std::abs(section().targets[0].depths.greatest.value() - 0.3f) < 0.02f);
         const auto deepest = deepestOf(section(), {});
         QVERIFY(deepest);
         QVERIFY(deepest->place.y - target().transform.position.y > 2.1f);
@@ -173,13 +173,13 @@ private Q_SLOTS:
         QVERIFY(m_session->hits().add(hitAt(target(), {0.0f, 1.0f, 0.0f})));
         readBack(*m_session);
         cut(across({1.0f, 0.0f, 0.0f}, target().transform.position.x));
-        const float depth = section().targets[0].depths.greatest;
+        const float depth = section().targets[0].depths.greatest.value();
         m_sections->setCut(section().cut, 4.0f);
         settle();
-        QCOMPARE(section().targets[0].depths.greatest, depth);
+        QCOMPARE(section().targets[0].depths.greatest.value(), depth);
         compareWithFresh(4.0f);
         const SectionDepths drawn = sectionDepths(section().lines->original, section().lines->deformed);
-        QVERIFY(drawn.greatest > 2.0f * depth);
+        QVERIFY(drawn.greatest.value() > 2.0f * depth);
         m_sections->setCut(section().cut, 1.0f);
         settle();
         compareWithFresh(1.0f);
@@ -217,10 +217,11 @@ private Q_SLOTS:
         cut(across({1.0f, 0.0f, 0.0f}, middle.x));
         const glm::dvec2 centre = sectionView(section().cut.openSide())(middle);
         const auto top = readSection(section(), {}, centre + glm::dvec2(0.0, 2.0));
-        QVERIFY(top && std::abs(top->depth - 0.3) < 0.02);
-        QVERIFY(std::abs(static_cast<double>(glm::distance(top->place, top->nearest)) - top->depth) < 0.02);
+        QVERIFY(top && std::abs(top->depth.value() - 0.3) < 0.02);
+        QVERIFY(std::abs(static_cast<double>(glm::distance(top->place, top->nearest.value())) -
+                         top->depth.value()) < 0.02);
         const auto bottom = readSection(section(), {}, centre - glm::dvec2(0.3, 5.0));
-        QVERIFY(bottom && bottom->depth == 0.0 && bottom->place.y < middle.y - 2.4f);
+        QVERIFY(bottom && bottom->depth.value() == 0.0 && bottom->place.y < middle.y - 2.4f);
         QVERIFY(placeText(sectionView({1, 0, 0}), {1.0f, 2.0f, -3.0f}) ==
                 QStringLiteral("z -3.000, y 2.000"));
         QVERIFY(!readSection(section(), {TargetId{99}}, centre));
@@ -246,10 +247,26 @@ private Q_SLOTS:
             QCOMPARE(cells[8], cells[5]);
             greatest = std::max(greatest, cells[9].toDouble());
         }
-        QVERIFY(std::abs(greatest - static_cast<double>(only.depths.greatest)) < 1.0e-6);
+        QVERIFY(std::abs(greatest - static_cast<double>(only.depths.greatest.value())) < 1.0e-6);
         const QString text = sectionText(section(), {});
         QVERIFY(text.contains(QStringLiteral("Greatest depth\t0.")));
         QVERIFY(text.contains(QStringLiteral("Length, original\t15.7")));  // 2 pi 2.5, in chords
+    }
+
+    /// A plane that only the deformed surface reaches, as where it bulged: nothing is known of its depth.
+    void withoutAnOriginalThereIsNoDepth() {
+        cut(across({1.0f, 0.0f, 0.0f}, target().transform.position.x));
+        SceneSection made = section();
+        made.targets[0].original.clear();
+        made.targets[0].depths = sectionDepths({}, made.targets[0].deformed);
+        QVERIFY(!deepestOf(made, {}));
+        const auto reading = readSection(made, {}, glm::dvec2(0.0));
+        QVERIFY(reading && !reading->depth && !reading->nearest);
+        for (const QByteArray& line : sectionCsv(made, {}).trimmed().split('\n').mid(1)) {
+            QVERIFY(line.endsWith(','));
+        }
+        QVERIFY(sectionText(made, {}).contains(
+            QStringLiteral("Greatest depth\tnone, the plane does not cut the original")));
     }
 
 private:

@@ -96,7 +96,7 @@ private Q_SLOTS:
         }
         QCOMPARE(depths.curve, std::size_t{1});
         QCOMPARE(depths.point, std::size_t{7});
-        QCOMPARE(depths.greatest, depths.depths[1][7]);
+        QCOMPARE(*depths.greatest, depths.depths[1][7]);
     }
 
     void theNearestPlaceIsTheNearest() {
@@ -128,11 +128,11 @@ private Q_SLOTS:
         }
     }
 
-    void withoutAnOriginalNothingIsDeep() {
+    void withoutAnOriginalThereAreNoDepths() {
         const std::vector<SectionCurve> after{circle(1.0f, 12)};
         const SectionDepths depths = sectionDepths({}, after);
-        QCOMPARE(depths.greatest, 0.0f);
-        QCOMPARE(depths.nearest[0].size(), std::size_t{12});
+        QVERIFY(!depths.greatest);
+        QVERIFY(depths.depths.empty() && depths.nearest.empty());
     }
 
     void movedVerticesAreCutAsIfSetAnew() {

@@ -248,9 +248,9 @@ private Q_SLOTS:
         auto* plot = child<SectionPlot>("plot");
         QTest::qWait(50);  // it lays itself out
         const auto deepest = deepestOf(*m_actions->sections().section(), {});
-        QVERIFY(deepest && std::abs(deepest->depth - 0.3) < 0.01);
+        QVERIFY(deepest && std::abs(deepest->depth.value() - 0.3) < 0.01);
         const auto read = plot->readingAt(plot->pixelOf(deepest->place) + QPointF(0.0, 1.0));
-        QVERIFY(read && read->depth > 0.2);
+        QVERIFY(read && read->depth.value() > 0.2);
         QVERIFY(!plot->readingAt(plot->pixelOf(middle())));
         // Both axes at one scale.
         const QPointF a = plot->pixelOf(middle());

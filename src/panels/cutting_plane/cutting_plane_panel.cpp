@@ -227,10 +227,11 @@ void CuttingPlanePanel::showSection() {
     m_ui->plot->setSection(m_section, m_scope, room());
     const auto deepest = deepestOf(*m_section, m_scope);
     const SectionView view = sectionView(m_section->cut.openSide());
-    m_ui->deepest->setText(!isAny    ? tr("The plane cuts no target.")
-                           : deepest ? tr("Greatest depth: %1 m\nat %2")
-                                           .arg(quantityText(deepest->depth), placeText(view, deepest->place))
-                                     : tr("Nothing has moved in this section."));
+    m_ui->deepest->setText(!isAny ? tr("The plane cuts no target.")
+                           : deepest
+                               ? tr("Greatest depth: %1 m\nat %2")
+                                     .arg(quantityText(*deepest->depth), placeText(view, deepest->place))
+                               : tr("Nothing has moved in this section."));
 }
 
 Status CuttingPlanePanel::saveCsv(const QString& path) const {

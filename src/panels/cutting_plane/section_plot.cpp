@@ -144,7 +144,7 @@ void SectionPlot::markDeepest() {
         return;
     }
     const glm::dvec2 place = m_view(deepest->place);
-    const glm::dvec2 nearest = m_view(deepest->nearest);
+    const glm::dvec2 nearest = m_view(*deepest->nearest);
     m_deepest->start->setCoords(place.x, place.y);
     m_deepest->end->setCoords(nearest.x, nearest.y);
     // Beside the dent, towards the section's middle: there is room.
@@ -154,7 +154,7 @@ void SectionPlot::markDeepest() {
     m_deepestText->setPositionAlignment((isLeft ? Qt::AlignLeft : Qt::AlignRight) |
                                         (isLow ? Qt::AlignBottom : Qt::AlignTop));
     m_deepestText->position->setCoords(place.x, place.y);
-    m_deepestText->setText(tr("%1 m").arg(quantityText(deepest->depth)));
+    m_deepestText->setText(tr("%1 m").arg(quantityText(*deepest->depth)));
 }
 
 void SectionPlot::fit() {
@@ -198,23 +198,26 @@ std::optional<SectionReading> SectionPlot::readingAt(const QPointF& position) co
     return std::hypot(off.x(), off.y()) <= kReach ? reading : std::nullopt;
 }
 
+QString SectionPlot::textOf(const SectionReading& reading) const {
+    const QString place = placeText(m_view, reading.place);
+    return reading.depth ? tr("%1\n%2 m deep").arg(place, quantityText(*reading.depth))
+                         : tr("%1\nThe plane does not cut the original").arg(place);
+}
+
 void SectionPlot::followCursor(const QPointF& position) {
     const auto reading = readingAt(position + m_plot->pos());
     m_cursor->setVisible(reading.has_value());
-    m_pointed->setVisible(reading.has_value());
+    m_pointed->setVisible(reading && reading->nearest);
     if (reading) {
         const glm::dvec2 place = m_view(reading->place);
-        const glm::dvec2 nearest = m_view(reading->nearest);
+        const glm::dvec2 nearest = m_view(reading->nearest.value_or(reading->place));
         m_cursor->position->setCoords(place.x, place.y);
         m_pointed->start->setCoords(place.x, place.y);
         m_pointed->end->setCoords(nearest.x, nearest.y);
     }
     m_plot->replot(QCustomPlot::rpQueuedReplot);
-    QToolTip::showText(
-        m_plot->mapToGlobal(position.toPoint()),
-        reading ? tr("%1\n%2 m deep").arg(placeText(m_view, reading->place), quantityText(reading->depth))
-                : QString(),
-        m_plot);
+    QToolTip::showText(m_plot->mapToGlobal(position.toPoint()), reading ? textOf(*reading) : QString(),
+                       m_plot);
 }
 
 void SectionPlot::applyPalette() {

@@ -42,6 +42,7 @@ protected:
 private:
     void drawCurves();
     void markDeepest();
+    [[nodiscard]] QString textOf(const SectionReading& reading) const;
     void followCursor(const QPointF& position);
     void applyPalette();
     void fit();
