@@ -11,6 +11,7 @@
 #include "analysis/change_values.h"
 #include "analysis/comparison.h"
 #include "analysis/comparison_text.h"
+#include "scene/bar_labels.h"
 #include "session/shown_number.h"
 
 namespace hitscope {
@@ -23,7 +24,6 @@ constexpr double kBarWidth = 14.0;
 constexpr double kMostBarHeight = 190.0;
 constexpr double kLeastBarHeight = 48.0;  // a picture that has no room for it goes without
 constexpr double kTick = 4.0;
-constexpr int kTicks = 6;  // at most, between the ends
 
 QString words(const char* text) {
     return QCoreApplication::translate("hitscope::ChangeOverlay", text);
@@ -63,32 +63,6 @@ double aroundBar(double textHeight) {
 /// What is written below, between two pictures.
 double notesBelow(double textHeight) {
     return 2.0 * (textHeight + kPadding) + kPadding;
-}
-
-struct Label {
-    double value;
-    QString text;
-};
-
-/// The ends, and round numbers between them that keep their distance.
-std::vector<Label> labelsOf(const ShownChange& change, double barHeight, double textHeight) {
-    const double low = static_cast<double>(change.range.low);
-    const double high = static_cast<double>(change.range.high);
-    const bool counts = change.quantity == ChangeQuantity::HitCount;
-    const double step = std::max(niceStep(low, high, kTicks), counts ? 1.0 : 0.0);
-    const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 6);
-    const auto end = [&](double value) {
-        return Label{value, shownNumber(value, 'f', counts ? 0 : std::min(decimals + 1, 6))};
-    };
-    std::vector<Label> labels{end(low), end(high)};
-    const double apart = textHeight / barHeight * (high - low);
-    for (double k = std::ceil(low / step); k * step <= high; ++k) {
-        const double value = k == 0.0 ? 0.0 : k * step;
-        if (value - low > apart && high - value > apart) {
-            labels.push_back({value, shownNumber(value, 'f', decimals)});
-        }
-    }
-    return labels;
 }
 
 QString titleOf(const ShownChange& change) {
@@ -133,11 +107,11 @@ void ChangeOverlay::paintLegend(QPainter& painter, const QSizeF& size, const Leg
         const Ink ink = inkOf(legend.theme);
         const QFontMetricsF metrics(painter.font());
         const double high = metrics.height();
-        const std::vector<Label> labels = legend.unchanged
-                                              ? std::vector{Label{0.0, unchangedText()}}
-                                              : labelsOf(legend.change, legend.barHeight, 1.15 * high);
+        const std::vector<BarLabel> labels = legend.unchanged
+                                                 ? std::vector{BarLabel{0.0, unchangedText()}}
+                                                 : barLabels(legend.change, 1.15 * high / legend.barHeight);
         double widest = 0.0;
-        for (const Label& label : labels) {
+        for (const BarLabel& label : labels) {
             widest = std::max(widest, metrics.horizontalAdvance(label.text));
         }
         const double width =
@@ -160,7 +134,7 @@ void ChangeOverlay::paintLegend(QPainter& painter, const QSizeF& size, const Leg
         const double low = static_cast<double>(legend.change.range.low);
         const double span = static_cast<double>(legend.change.range.high) - low;
         drawing.setPen(QPen(ink.text, 1));
-        for (const Label& label : labels) {
+        for (const BarLabel& label : labels) {
             const double y = bar.bottom() - (label.value - low) / span * bar.height();
             drawing.drawLine(QPointF(bar.right(), y), QPointF(bar.right() + kTick, y));
             drawing.drawText(QRectF(bar.right() + 2 * kTick, y - high / 2, widest + kTick, high),
