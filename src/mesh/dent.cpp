@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <limits>
+#include <numeric>
 
 namespace hitscope {
 
@@ -89,19 +90,27 @@ double widthAcross(std::span<const std::uint32_t> vertices, std::span<const glm:
 }
 
 /// Sets depth and deepest. The cap makes bottoms flat: of those that are as deep, the one in their midst.
+/// Where none went inwards, the depth is 0 and those count that moved farthest.
 void findDeepest(DentMeasures& dent, std::span<const std::uint32_t> vertices,
                  std::span<const glm::vec3> before, std::span<const glm::vec3> after) {
     constexpr double kAsDeep = 1.0 - 1.0e-4;
+    bool isInwards = true;
     const auto depthOf = [&](std::uint32_t vertex) {
-        return glm::dot(glm::dvec3(after[vertex]) - glm::dvec3(before[vertex]), glm::dvec3(dent.axis));
+        const glm::dvec3 moved = glm::dvec3(after[vertex]) - glm::dvec3(before[vertex]);
+        return isInwards ? glm::dot(moved, glm::dvec3(dent.axis)) : glm::length(moved);
     };
-    for (const std::uint32_t vertex : vertices) {
-        dent.depth = std::max(dent.depth, depthOf(vertex));
-    }
+    const auto greatest = [&] {
+        return std::accumulate(vertices.begin(), vertices.end(), 0.0, [&](double most, std::uint32_t vertex) {
+            return std::max(most, depthOf(vertex));
+        });
+    };
+    dent.depth = greatest();
+    isInwards = dent.depth > 0.0;
+    const double most = isInwards ? dent.depth : greatest();
     glm::dvec3 sum(0.0);
     double count = 0.0;
     for (const std::uint32_t vertex : vertices) {
-        if (depthOf(vertex) >= kAsDeep * dent.depth) {
+        if (depthOf(vertex) >= kAsDeep * most) {
             sum += glm::dvec3(before[vertex]);
             count += 1.0;
         }
@@ -111,7 +120,7 @@ void findDeepest(DentMeasures& dent, std::span<const std::uint32_t> vertices,
     dent.deepest = vertices.front();
     for (const std::uint32_t vertex : vertices) {
         const double distance = glm::distance(glm::dvec3(before[vertex]), middle);
-        if (depthOf(vertex) >= kAsDeep * dent.depth && distance < nearest) {
+        if (depthOf(vertex) >= kAsDeep * most && distance < nearest) {
             nearest = distance;
             dent.deepest = vertex;
         }

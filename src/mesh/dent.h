@@ -13,9 +13,9 @@ namespace hitscope {
 
 /// What a dent amounts to: metres, square and cubic metres, in the target's local frame.
 struct DentMeasures {
-    std::size_t vertices = 0;  ///< that it moved
-    std::uint32_t deepest =
-        0;  ///< of them, the one furthest below where it was, in the midst of a flat bottom
+    std::size_t vertices = 0;   ///< that it moved
+    std::uint32_t deepest = 0;  ///< of them, the one furthest below where it was, in the midst of a flat
+                                ///< bottom; if none went below, the one that moved farthest
     /// Unit, into the surface: against its mean normal before, or, where its normals point all over, as on
     /// both sides of a thin limb, the way that its vertices moved on average.
     glm::vec3 axis{0.0f};

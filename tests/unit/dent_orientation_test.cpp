@@ -37,6 +37,14 @@ private Q_SLOTS:
         const DentMeasures bump = measured(m_triangles);
         QCOMPARE(bump.depth, 0.0);
         QVERIFY(bump.displacedVolume < 0.0);
+        // It is marked in its midst, or where it sticks out farthest.
+        const auto upright = [this](std::uint32_t vertex) { return glm::normalize(m_before[vertex]).y; };
+        QVERIFY(upright(bump.deepest) > 0.999f);
+        const std::uint32_t farthest =
+            *std::min_element(m_vertices.begin(), m_vertices.end(),
+                              [&](std::uint32_t a, std::uint32_t b) { return upright(a) < upright(b); });
+        m_after[farthest] += 0.1f * glm::normalize(m_before[farthest]);
+        QCOMPARE(measured(m_triangles).deepest, farthest);
     }
 
     /// Of a room, whose faces point inwards, walls are pushed outwards from within.
