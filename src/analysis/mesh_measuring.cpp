@@ -55,6 +55,10 @@ MeshMeasuring::MeshMeasuring(Session& session, QObject* parent) : QObject(parent
                     schedule();
                 }
             });
+    // Edits that move no vertex change which hit harmed a face, and its number.
+    connect(&session.hits(), &SessionHits::changed, this, &MeshMeasuring::schedule);
+    connect(&session.hits(), &SessionHits::rearranged, this, &MeshMeasuring::schedule);
+    connect(&session.hits(), &SessionHits::shownChanged, this, &MeshMeasuring::schedule);
     connect(&session.targets(), &SessionTargets::changed, this, [this] {
         if (!m_alone) {
             schedule();  // it may stand elsewhere

@@ -340,6 +340,11 @@ void MeshStatisticsModelTest::listsHarmedFacesAndTheirHits() {
         QVERIFY(health.harmAt(row).harm.kind != FaceHarm::Kind::Stretched ||
                 health.harmAt(row).harm.stretch > 1.15f);
     }
+    // Edits that move nothing, or have not yet: the numbers follow.
+    session.hits().remove(0);
+    QTRY_COMPARE_WITH_TIMEOUT(health.harmAt(0).hit, std::optional<std::size_t>(0), kPatience);
+    session.undo();
+    QTRY_COMPARE_WITH_TIMEOUT(health.harmAt(0).hit, std::optional<std::size_t>(1), kPatience);
     const int before = health.rowCount();
     model.measuring().setStretchLimit(1.01f);
     QTRY_VERIFY_WITH_TIMEOUT(health.rowCount() > before, kPatience);
