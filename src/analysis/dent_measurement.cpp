@@ -29,6 +29,7 @@ DentMeasurement::DentMeasurement(Session& session, QObject* parent) : QObject(pa
     connect(&session.readBack(), &ReadBack::capacityChanged, this, &DentMeasurement::request);
     connect(&session, &Session::sceneReplaced, this, &DentMeasurement::forget);
     connect(&session.targets(), &SessionTargets::removed, this, &DentMeasurement::forget);
+    connect(&session.targets(), &SessionTargets::changed, this, &DentMeasurement::followPlace);
     forget();
 }
 
@@ -60,6 +61,11 @@ void DentMeasurement::followMesh(TargetId changed) {
     if (target() == changed) {
         request();
     }
+    followPlace(changed);
+}
+
+/// The target may have been moved.
+void DentMeasurement::followPlace(TargetId changed) {
     if (m_picked[0] && (m_picked[0]->target == changed || m_picked[1]->target == changed)) {
         Q_EMIT distanceChanged();
     }

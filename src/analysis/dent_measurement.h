@@ -81,6 +81,7 @@ private:
     void followPick();
     void followHit();
     void followMesh(TargetId target);
+    void followPlace(TargetId target);
     void forget();
     [[nodiscard]] std::optional<TargetId> target() const;
     [[nodiscard]] QString whyNotMeasured() const;

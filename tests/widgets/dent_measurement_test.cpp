@@ -88,6 +88,20 @@ private Q_SLOTS:
         QVERIFY(std::abs(distance->after - std::sqrt(8.0 + 0.09)) < 1.0e-3);
     }
 
+    /// Between vertices of two targets the distance follows where these stand.
+    void theDistanceFollowsMovedTargets() {
+        const TargetId first = m_session->targets().front()->id;
+        m_session->targets().duplicate(std::array{first});
+        const TargetId second = m_session->targets()[1]->id;
+        m_session->selection().setPicked(VertexRef{first, 0});
+        m_session->selection().setPicked(VertexRef{second, 0});
+        const QString before = label("distance");
+        RigidTransform away = m_session->targets()[1]->transform;
+        away.position += glm::vec3(0.0f, 7.0f, 0.0f);
+        QVERIFY(m_session->targets().setTransform(second, away).ok());
+        QVERIFY(label("distance") != before);
+    }
+
     void followsTheMesh() {
         m_session->hits().select(0);
         QTRY_VERIFY_WITH_TIMEOUT(report().dent.has_value(), kPatience);
