@@ -16,6 +16,7 @@ namespace hitscope {
 namespace {
 
 constexpr double kSmallDepth = 0.01;  // metres: below, three decimals would say too little
+constexpr double kSmallSpeed = 0.1;   // metres a second, newton seconds: likewise two
 
 bool isCount(int column) {
     return column == HitHistoryModel::NumberColumn || column == HitHistoryModel::AffectedColumn ||
@@ -128,9 +129,11 @@ QString HitHistoryModel::text(const Hit& hit, std::size_t row, int column) const
     }
     switch (column) {
         case TimeColumn:
+            return shownNumber(*value, 'f', 2);
         case SpeedColumn:
         case ImpulseColumn:
-            return shownNumber(*value, 'f', 2);
+            return *value != 0.0 && std::abs(*value) < kSmallSpeed ? quantityText(*value)
+                                                                   : shownNumber(*value, 'f', 2);
         case GreatestColumn:
             return std::abs(*value) < kSmallDepth ? quantityText(*value) : shownNumber(*value, 'f', 3);
         case CpuCostColumn:

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "models/hit_history_model.h"
+#include "models/quantity_text.h"
 #include "support/read_back.h"
 #include "support/test_program.h"
 
@@ -105,6 +106,12 @@ void HitHistoryModelTest::cellsSayWhatTheHitIs() {
     QCOMPARE(cell(HitHistoryModel::DirectionColumn), QStringLiteral("0.000, 0.000, -1.000"));
     QCOMPARE(cell(HitHistoryModel::SpeedColumn), QStringLiteral("29.50"));
     QCOMPARE(cell(HitHistoryModel::ImpulseColumn), QStringLiteral("30.25"));
+    Hit slow = hitOn(session, 2, 0.25f);
+    slow.speed = 0.001f;
+    slow.impulse = 0.0f;
+    QVERIFY(session.hits().add(slow).ok());
+    QCOMPARE(model.index(1, HitHistoryModel::SpeedColumn).data().toString(), quantityText(0.001));
+    QCOMPARE(model.index(1, HitHistoryModel::ImpulseColumn).data().toString(), QStringLiteral("0.00"));
     QCOMPARE(raw(HitHistoryModel::SpeedColumn).toDouble(), 29.5);
     QCOMPARE(raw(HitHistoryModel::TargetColumn).toUInt(), session.targets()[2]->id.value);
     QCOMPARE(raw(HitHistoryModel::PointColumn).toList(), (QVariantList{0.25, 0.5, -1.25}));
