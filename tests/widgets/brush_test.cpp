@@ -6,10 +6,12 @@
 #include <QSpinBox>
 #include <QWheelEvent>
 #include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
 
 #include "app/dialogs/brush_dialog.h"
 #include "app/dialogs/mirror_dialog.h"
 #include "app/dialogs/scatter_dialog.h"
+#include "session/primitive_target.h"
 #include "session/usual_dent.h"
 #include "support/test_program.h"
 #include "viewport/brush_tool.h"
@@ -237,11 +239,7 @@ private Q_SLOTS:
     }
 
     void mirrorRepeatsHitsOnTheOtherSide() {
-        Hit hit;
-        hit.target = m_session->targets().front()->id;
-        hit.point = {2.0f, 1.5f, 0.0f};
-        hit.direction = glm::normalize(glm::vec3(-2.0f, -1.5f, 0.0f));
-        QVERIFY(m_session->hits().add(hit).ok());
+        addHit();
         trigger(QStringLiteral("Mirror Hits"));
         auto* dialog = m_window->findChild<MirrorDialog*>();
         QVERIFY(dialog != nullptr && dialog->isVisible());
@@ -255,7 +253,75 @@ private Q_SLOTS:
         QCOMPARE(hits()[1].group.kind, HitGroupKind::Mirror);
     }
 
+    /// A target that goes, or gets another mesh and with it another id, leaves the dialogs something to do.
+    void dialogsPlanAgainWhenTargetsGo() {
+        m_session->targets().add({planBuiltIn(BuiltInMesh::Teapot)});
+        const TargetId teapot = m_session->targets().back()->id;
+        addHit();
+        trigger(QStringLiteral("Mirror Hits"));
+        auto* mirror = m_window->findChild<MirrorDialog*>();
+        trigger(QStringLiteral("Scatter Hits"));
+        auto* scatter = m_window->findChild<ScatterDialog*>();
+        QVERIFY(mirror != nullptr && scatter != nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(isReady(*mirror) && isReady(*scatter), kPatience);
+        const TargetId sphere = m_session->targets().front()->id;
+        m_session->targets().select(sphere);
+        m_session->targets().remove({&teapot, 1});
+        QTRY_VERIFY_WITH_TIMEOUT(isReady(*mirror) && isReady(*scatter), kPatience);
+        const std::vector<TargetState> same = {*m_session->targets().front()};
+        const auto ids = m_session->targets().replaceMeshes(same, [](const Hit& hit) { return hit; });
+        m_session->targets().select(ids.at(sphere));
+        QTRY_VERIFY_WITH_TIMEOUT(isReady(*mirror) && isReady(*scatter), kPatience);
+        QCOMPARE(planned(*mirror).target, ids.at(sphere));
+        QCOMPARE(planned(*scatter).target, ids.at(sphere));
+    }
+
+    /// The plane and the direction are the world's.
+    void dialogsPlanAgainWhenTargetsTurn() {
+        addHit();
+        CuttingPlane cut;
+        cut.on = true;
+        cut.normal = {1.0f, 0.0f, 0.0f};
+        cut.offset = 0.0f;
+        m_session->settings().setCut(cut);
+        trigger(QStringLiteral("Mirror Hits"));
+        auto* mirror = m_window->findChild<MirrorDialog*>();
+        trigger(QStringLiteral("Scatter Hits"));
+        auto* scatter = m_window->findChild<ScatterDialog*>();
+        QVERIFY(mirror != nullptr && scatter != nullptr);
+        mirror->findChild<QComboBox*>(QStringLiteral("plane"))->setCurrentIndex(3);
+        scatter->findChild<QComboBox*>(QStringLiteral("direction"))->setCurrentIndex(2);
+        QTRY_VERIFY_WITH_TIMEOUT(isReady(*mirror) && isReady(*scatter), kPatience);
+        const Target& target = *m_session->targets().front();
+        RigidTransform turned = target.transform;
+        turned.rotation = glm::angleAxis(1.5707964f, glm::vec3(0.0f, 0.0f, 1.0f));
+        turned.position.x += 0.5f;
+        QVERIFY(m_session->targets().setTransform(target.id, turned).ok());
+        QVERIFY(!isReady(*mirror) && !isReady(*scatter));
+        QTRY_VERIFY_WITH_TIMEOUT(isReady(*mirror) && isReady(*scatter), kPatience);
+        const glm::vec3 hit = turned.toWorld(hits().front().point);
+        const glm::vec3 image = turned.toWorld(planned(*mirror).point);
+        QVERIFY(glm::distance(image, glm::vec3(-hit.x, hit.y, hit.z)) < 1e-4f);
+        const glm::vec3 down = turned.rotation * planned(*scatter).direction;
+        QVERIFY(glm::distance(down, glm::vec3(0.0f, -1.0f, 0.0f)) < 1e-4f);
+    }
+
 private:
+    static bool isReady(PlanDialog& dialog) {
+        return dialog.findChild<QPushButton*>(QStringLiteral("apply"))->isEnabled() &&
+               dialog.planner().current() != nullptr && !dialog.planner().current()->hits.empty();
+    }
+    static Hit planned(PlanDialog& dialog) {
+        const HitPlanner::Plan* plan = dialog.planner().current();
+        return plan != nullptr && !plan->hits.empty() ? plan->hits.front() : Hit{};
+    }
+    void addHit() {
+        Hit hit;
+        hit.target = m_session->targets().front()->id;
+        hit.point = {2.0f, 1.5f, 0.0f};
+        hit.direction = glm::normalize(glm::vec3(-2.0f, -1.5f, 0.0f));
+        QVERIFY(m_session->hits().add(hit).ok());
+    }
     [[nodiscard]] Viewport& viewport() const { return m_window->viewport(); }
     [[nodiscard]] QPoint centre() const { return viewport().rect().center(); }
     [[nodiscard]] std::span<const Hit> hits() const { return m_session->hits().history().hits(); }

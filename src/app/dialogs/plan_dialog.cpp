@@ -43,9 +43,21 @@ PlanDialog::PlanDialog(Session& session, Viewport& viewport, const QString& titl
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
     connect(m_apply, &QPushButton::clicked, this, &PlanDialog::apply);
     connect(&m_planner, &HitPlanner::planned, this, &PlanDialog::showPlan);
+    followTargets();
 }
 
 PlanDialog::~PlanDialog() = default;
+
+/// What is planned is in the local frames of targets, which may turn, go, or get another mesh. The planner
+/// drops its plan at once, so what no longer fits cannot be made meanwhile.
+void PlanDialog::followTargets() {
+    m_replan.setSingleShot(true);
+    connect(&m_replan, &QTimer::timeout, this, [this] { replan(); });
+    const auto replanSoon = [this] { m_replan.start(0); };
+    connect(&m_session.targets(), &SessionTargets::changed, this, replanSoon);
+    connect(&m_session.targets(), &SessionTargets::removed, this, replanSoon);
+    connect(&m_session, &Session::sceneReplaced, this, replanSoon);
+}
 
 void PlanDialog::showPlan() {
     const HitPlanner::Plan* plan = m_planner.current();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QDialog>
+#include <QTimer>
 
 #include "analysis/hit_planner.h"
 
@@ -45,11 +46,13 @@ protected:
     void hideEvent(QHideEvent* event) override;
 
 private:
+    void followTargets();
     void showPlan();
 
     Session& m_session;
     Viewport& m_viewport;
     HitPlanner m_planner;
+    QTimer m_replan;  ///< once for all that changes in a turn of the event loop
     QFormLayout* m_fields;
     QLabel* m_summary;
     QPushButton* m_apply;

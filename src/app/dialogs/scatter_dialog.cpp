@@ -56,7 +56,6 @@ ScatterDialog::ScatterDialog(Session& session, Viewport& viewport, QWidget* pare
     connect(m_size, &QDoubleSpinBox::valueChanged, this, &ScatterDialog::replan);
     connect(m_cone, &QDoubleSpinBox::valueChanged, this, &ScatterDialog::replan);
     connect(&session.targets(), &SessionTargets::selectedChanged, this, &ScatterDialog::replan);
-    connect(&session, &Session::sceneReplaced, this, &ScatterDialog::replan);
     connect(&viewport.navigation(), &Navigation::cameraChanged, this, [this] {
         if (m_direction->currentIndex() == kAlongView) {
             replan();
@@ -78,6 +77,7 @@ void ScatterDialog::addFields() {
     m_size->setDecimals(0);
     m_size->setSuffix(tr(" %"));
     m_size->setToolTip(tr("Sizes differ from that of the constants by up to so much"));
+    m_direction->setObjectName(QStringLiteral("direction"));
     m_direction->addItems({tr("Into the surface"), tr("Along the view"), tr("Downwards")});
     m_direction->setToolTip(tr("Given directions strike only where the surface faces them"));
     m_cone->setRange(0.0, kWidestCone);
