@@ -52,6 +52,7 @@ void TextureChooser::choose(int size, Take take) {
     }
     (*wanted)->setChecked(true);
     m_chosen = size;
+    const int request = ++m_request;
     if (size == 0) {
         (m_session.settings().*take)(nullptr);
         return;
@@ -59,15 +60,16 @@ void TextureChooser::choose(int size, Take take) {
     auto image = std::make_shared<Image>();
     workBeside(
         this, [image, size] { *image = makePanelTexture(size); },
-        [image, size, take](TextureChooser& self, bool done) {
-            if (done && size == self.m_chosen) {  // else the targets stay as they are
+        [image, request, take](TextureChooser& self, bool done) {
+            if (done && request == self.m_request) {  // else the targets stay as they are
                 (self.m_session.settings().*take)(image);
             }
         });
 }
 
-/// Undone, say.
+/// Undone, say, or another session.
 void TextureChooser::follow() {
+    ++m_request;
     const std::shared_ptr<const Image>& cover = m_session.settings().coverTexture();
     m_chosen = cover ? cover->width : 0;
     for (QAction* action : m_actions->actions()) {

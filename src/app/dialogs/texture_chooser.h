@@ -24,17 +24,19 @@ public:
     /// Pixels each way, one of those in the menu; 0: the targets' own. Others are passed over.
     void choose(int size);
     void restore(int size);  ///< likewise, and nothing to undo: as it was when the program ended
+    /// The session's picture is the one that is chosen; one that is still being made is not wanted any more.
+    void follow();
     [[nodiscard]] int chosen() const { return m_chosen; }
 
 private:
     /// What gives the targets their picture, or takes it.
     using Take = void (SessionSettings::*)(std::shared_ptr<const Image>);
     void choose(int size, Take take);
-    void follow();
 
     Session& m_session;
     QActionGroup* m_actions = nullptr;
-    int m_chosen = 0;  ///< pixels each way; 0: the targets' own
+    int m_chosen = 0;   ///< pixels each way; 0: the targets' own
+    int m_request = 0;  ///< number of the choice in force: pictures made for others come too late
 };
 
 }  // namespace hitscope

@@ -28,6 +28,7 @@
 #include "app/full_view.h"
 #include "app/pipeline_chooser.h"
 #include "app/session_collector.h"
+#include "app/session_files.h"
 #include "app/settings/app_settings.h"
 #include "app/window/window_view.h"
 #include "viewport/viewport.h"
@@ -57,6 +58,8 @@ void WindowActions::make(const Parts& parts) {
     projectile = new ProjectileActions(session, window);
     mesh = new MeshActions(session, shots->aimPreview(), window);
     QObject::connect(mesh, &MeshActions::turned, &viewport, &Viewport::frameSelection);
+    // Directly: without a cover before and after there is no change that the chooser would follow.
+    QObject::connect(&parts.sessions, &SessionFiles::opened, textureChooser, &TextureChooser::follow);
     edit->setEditor(mesh->editor());
     edit->setBrush(viewport.brushTool());
     cameras = new CameraActions(viewport, &window);
