@@ -28,6 +28,7 @@ struct MeshReloader::Work {
     Status status = Done{};
     PreparedSession prepared;
     std::map<TargetId, std::shared_ptr<const CarriedHits>> carried;
+    std::map<TargetId, TargetId> ids;  ///< of those that were reloaded, by the ones before
 };
 
 namespace {
@@ -283,11 +284,46 @@ void MeshReloader::finish(const std::shared_ptr<Work>& work, bool done) {
         Q_EMIT failed(*error);
         return;
     }
-    const QStringList said = apply(*work);
-    Q_EMIT reloaded(said);
+    leaveOutOthers(*work);
+    if (!work->prepared.scene.targets.empty()) {
+        Q_EMIT reloaded(apply(*work));
+    }
+    offerAgain(*work);
 }
 
-/// Returns what is to be told of it.
+void MeshReloader::leaveOutOthers(Work& work) const {
+    std::erase_if(work.prepared.scene.targets, [&](const TargetState& target) {
+        const Target* now = m_session.targets().find(target.id);
+        return now == nullptr || now->shape.mesh != work.before[target.id].mesh;
+    });
+}
+
+/// What was refined meanwhile, say, still uses its file as it was.
+void MeshReloader::offerAgain(const Work& work) {
+    std::set<TargetId> reloaded;
+    for (const auto& [before, now] : work.ids) {
+        reloaded.insert(now);
+    }
+    follow();
+    QStringList left = work.files;
+    left.removeIf([&](const QString& path) {
+        const std::vector<TargetId> users = usersOf({path});
+        return m_changed.contains(path) || !isOther(path) ||
+               std::all_of(users.begin(), users.end(), [&](TargetId id) { return reloaded.contains(id); });
+    });
+    if (left.isEmpty()) {
+        return;
+    }
+    setChanged(left + m_changed);
+    QStringList names;
+    for (const QString& path : left) {
+        names << QFileInfo(path).fileName();
+    }
+    Q_EMIT failed({"Not reloaded: " + names.join(QStringLiteral(", ")).toStdString() +
+                       ". Its target was changed meanwhile and stays as it is.",
+                   "", "Reload the mesh again."});
+}
+
 QStringList MeshReloader::apply(Work& work) {
     const KeptSelection selection(m_session);
     std::size_t alongWith = 0;
@@ -297,8 +333,8 @@ QStringList MeshReloader::apply(Work& work) {
         ++(how.isByVertex() ? alongWith : inPlace);
         return how.carried(hit);
     };
-    std::map<TargetId, TargetId> ids =
-        m_session.targets().replaceMeshes(work.prepared.scene.targets, carried);
+    work.ids = m_session.targets().replaceMeshes(work.prepared.scene.targets, carried);
+    std::map<TargetId, TargetId> ids = work.ids;
     QStringList byVertex;
     QStringList byPosition;
     for (const TargetState& target : work.prepared.scene.targets) {

@@ -57,7 +57,11 @@ private:
     void prepare(const std::shared_ptr<Work>& work);
     void say(const Work& work, double fraction, const QString& doing);
     void finish(const std::shared_ptr<Work>& work, bool done);
+    /// Returns what is to be told of it.
     [[nodiscard]] QStringList apply(Work& work);
+    /// Those of its targets that have changed, or gone, are left as they are.
+    void leaveOutOthers(Work& work) const;
+    void offerAgain(const Work& work);  ///< the files that targets use which were not reloaded
     void giveUp();
 
     Session& m_session;

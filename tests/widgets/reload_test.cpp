@@ -55,6 +55,7 @@ private Q_SLOTS:
     void gone();
     void keptByTheJournal();
     void notOfThisSession();
+    void changedMeanwhile();
 
 private:
     [[nodiscard]] const Target& target() const { return *m_session->targets().front(); }
@@ -85,6 +86,14 @@ private:
         QTRY_VERIFY_WITH_TIMEOUT(bar().isVisible(), kPatience);
         press("reloadMeshes");
         QTRY_COMPARE_WITH_TIMEOUT(done.size(), 1, kPatience);
+    }
+    /// As the steps of the Mesh menu do: each is another target then.
+    void change(const std::vector<TargetState>& targets) const {
+        m_session->targets().replaceMeshes(
+            targets, [](const Hit& hit) { return hit; }, SessionUndo::Kind::RefineMesh);
+    }
+    [[nodiscard]] std::size_t vertices(std::size_t index) const {
+        return m_session->targets()[index]->deformed.original().vertexCount();
     }
     [[nodiscard]] std::uint64_t positions() const {
         if (!m_window->viewport().syncNow().ok()) {
@@ -308,6 +317,41 @@ void ReloadTest::notOfThisSession() {
     QTRY_VERIFY_WITH_TIMEOUT(bar().isVisible(), kPatience);
     loadTeapot(*m_session);
     QTRY_VERIFY_WITH_TIMEOUT(!bar().isVisible(), kPatience);
+}
+
+/// Nothing is said to be reloaded that was not, and what is left is offered again.
+void ReloadTest::changedMeanwhile() {
+    const TargetId first = target().id;
+    m_session->targets().duplicate({&first, 1});
+    auto* reloader = m_window->findChild<MeshReloader*>();
+    QSignalSpy reloaded(reloader, &MeshReloader::reloaded);
+    QSignalSpy failed(reloader, &MeshReloader::failed);
+    save(makeUvSphere(48, 24, 1.0f));
+    QTRY_VERIFY_WITH_TIMEOUT(bar().isVisible(), kPatience);
+    reloader->reload();
+    change({target(), *m_session->targets().back()});
+    QTRY_COMPARE_WITH_TIMEOUT(failed.size(), 1, kPatience);
+    QCOMPARE(reloaded.size(), 0);
+    QCOMPARE(reloader->changedFiles(), QStringList{m_mesh});
+    QApplication::activeModalWidget()->close();
+
+    reloader->reload();
+    change({target()});
+    QTRY_COMPARE_WITH_TIMEOUT(failed.size(), 2, kPatience);
+    QCOMPARE(reloaded.size(), 1);
+    QCOMPARE(reloader->changedFiles(), QStringList{m_mesh});
+    QCOMPARE(vertices(0), makeUvSphere(24, 12, 1.0f).vertexCount());
+    QCOMPARE(vertices(1), makeUvSphere(48, 24, 1.0f).vertexCount());
+    QApplication::activeModalWidget()->close();
+
+    // Of what is gone there is nothing to say.
+    reloader->reload();
+    const TargetId both[] = {m_session->targets()[0]->id, m_session->targets()[1]->id};
+    m_session->targets().remove(both);
+    QTRY_VERIFY_WITH_TIMEOUT(m_session->tasks().current() == nullptr, kPatience);
+    QCOMPARE(failed.size(), 2);
+    QCOMPARE(reloaded.size(), 1);
+    QVERIFY(reloader->changedFiles().isEmpty());
 }
 
 HITSCOPE_TEST(ReloadTest, QApplication)
