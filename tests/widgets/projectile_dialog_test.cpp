@@ -3,11 +3,13 @@
 
 #include <QApplication>
 #include <QCheckBox>
+#include <QColorDialog>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
+#include <QToolButton>
 
 #include "app/settings/app_settings.h"
 #include "support/test_program.h"
@@ -81,6 +83,32 @@ private Q_SLOTS:
         QCOMPARE(dialog.findChild<QDoubleSpinBox*>("mostAlive")->value(), 2000.0);
         // Showing is not setting.
         QCOMPARE(changed.count(), 1);
+    }
+
+    void aColourIsOneStepOrNone() {
+        Session session;
+        ProjectileDialog dialog(session);
+        const ProjectileSettings before = session.settings().projectile();
+        auto* button = dialog.findChild<QToolButton*>("colour");
+        button->click();
+        auto* colours = button->findChild<QColorDialog*>();
+        QVERIFY(colours != nullptr);
+        QVERIFY2(colours->windowTitle().contains("rojectile"), qPrintable(colours->windowTitle()));
+        colours->setCurrentColor(Qt::red);
+        QCOMPARE(session.settings().projectile().colour, glm::vec3(1.0f, 0.0f, 0.0f));
+        colours->reject();
+        QVERIFY(session.settings().projectile() == before);
+        QVERIFY(!session.steps().canUndo());
+        QTRY_VERIFY_WITH_TIMEOUT(button->findChild<QColorDialog*>() == nullptr, kPatience);
+        button->click();
+        colours = button->findChild<QColorDialog*>();
+        colours->setCurrentColor(Qt::red);
+        colours->setCurrentColor(Qt::blue);
+        colours->accept();
+        QCOMPARE(session.settings().projectile().colour, glm::vec3(0.0f, 0.0f, 1.0f));
+        session.undo();
+        QVERIFY(session.settings().projectile() == before);
+        QVERIFY(!session.steps().canUndo());
     }
 
     void settingsAreKept() {

@@ -3,6 +3,7 @@
 
 #include <QComboBox>
 #include <QPushButton>
+#include <utility>
 
 #include "app/flight_chooser.h"
 #include "app/flight_text.h"
@@ -37,7 +38,7 @@ ProjectileDialog::ProjectileDialog(Session& session, QWidget* parent)
     }
     connect(m_ui->bounces, &QCheckBox::toggled, this, &ProjectileDialog::apply);
     connect(m_ui->powerFollowsImpulse, &QCheckBox::toggled, this, &ProjectileDialog::apply);
-    connect(m_ui->colour, &ColourButton::colourPicked, this, &ProjectileDialog::apply);
+    makeColour();
     for (QAbstractButton* button : m_ui->buttons->buttons()) {
         // Enter ends the editing of a number and presses nothing.
         qobject_cast<QPushButton*>(button)->setAutoDefault(false);
@@ -59,6 +60,35 @@ ProjectileDialog::ProjectileDialog(Session& session, QWidget* parent)
 }
 
 ProjectileDialog::~ProjectileDialog() = default;
+
+/// What is tried is no step of its own: the colour that is taken is one, and none is left without it.
+void ProjectileDialog::makeColour() {
+    m_ui->colour->setDialogTitle(tr("Colour of the Projectiles"));
+    connect(m_ui->colour, &ColourButton::colourTried, this, [this](const QColor& colour) {
+        m_untried = m_untried.value_or(m_session.settings().projectile().colour);
+        tint({colour.redF(), colour.greenF(), colour.blueF()});
+    });
+    connect(m_ui->colour, &ColourButton::cancelled, this, &ProjectileDialog::endTrial);
+    connect(m_ui->colour, &ColourButton::colourPicked, this, [this](const QColor& colour) {
+        if (m_untried) {
+            endTrial();
+            m_ui->colour->setColour(colour);
+            apply();
+        }
+    });
+}
+
+void ProjectileDialog::tint(const glm::vec3& colour) {
+    ProjectileSettings settings = m_session.settings().projectile();
+    settings.colour = colour;
+    m_session.settings().restoreProjectile(settings, m_session.settings().flightMode());
+}
+
+void ProjectileDialog::endTrial() {
+    if (const std::optional<glm::vec3> untried = std::exchange(m_untried, std::nullopt)) {
+        tint(*untried);
+    }
+}
 
 void ProjectileDialog::showSettings() {
     const ProjectileSettings settings = m_session.settings().projectile();

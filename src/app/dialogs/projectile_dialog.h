@@ -4,6 +4,7 @@
 #include <QDialog>
 #include <array>
 #include <memory>
+#include <optional>
 
 #include "session/session.h"
 
@@ -24,6 +25,9 @@ public:
     ~ProjectileDialog() override;
 
 private:
+    void makeColour();
+    void tint(const glm::vec3& colour);  ///< for the moment: nothing to undo
+    void endTrial();
     void showSettings();
     void apply();
     void showInForce();
@@ -32,6 +36,7 @@ private:
     std::unique_ptr<Ui::ProjectileSettings> m_ui;
     std::array<QDoubleSpinBox*, 8> m_numbers{};  ///< in the order of projectileParameters()
     bool m_showing = false;
+    std::optional<glm::vec3> m_untried;  ///< the colour before others are tried; none is
 };
 
 }  // namespace hitscope

@@ -43,14 +43,20 @@ void ColourButton::drawSwatch() {
 void ColourButton::choose() {
     auto* dialog = new QColorDialog(m_colour, this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setWindowTitle(tr("Colour of the light"));
+    dialog->setWindowTitle(m_dialogTitle);
     const QColor before = m_colour;
-    const auto take = [this](const QColor& colour) {
+    connect(dialog, &QColorDialog::currentColorChanged, this, [this](const QColor& colour) {
+        setColour(colour);
+        Q_EMIT colourTried(colour);
+    });
+    connect(dialog, &QColorDialog::rejected, this, [this, before] {
+        setColour(before);
+        Q_EMIT cancelled();
+    });
+    connect(dialog, &QColorDialog::colorSelected, this, [this](const QColor& colour) {
         setColour(colour);
         Q_EMIT colourPicked(colour);
-    };
-    connect(dialog, &QColorDialog::currentColorChanged, this, take);
-    connect(dialog, &QColorDialog::rejected, this, [take, before] { take(before); });
+    });
     dialog->open();
 }
 

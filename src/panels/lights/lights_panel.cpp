@@ -3,9 +3,10 @@
 
 #include <QSignalBlocker>
 #include <algorithm>
-#include <glm/trigonometric.hpp>
+#include <glm/geometric.hpp>
 #include <utility>
 
+#include "panels/fields/number_box.h"
 #include "panels/lights/colour_button.h"
 #include "panels/lights/light_swatch_delegate.h"
 #include "ui_lights.h"
@@ -15,8 +16,9 @@ namespace hitscope {
 namespace {
 
 constexpr double kDegrees = 57.29577951308232;
-constexpr float kLeastEdge = 0.00873f;  // radians, half a degree: the cone's edge stays smooth
-constexpr double kStepsToScene = 50.0;  // of a position, through the scene
+constexpr float kLeastEdge = 0.00873f;       // radians, half a degree: the cone's edge stays smooth
+constexpr double kFarthestLight = 1.0e7;     // metres
+constexpr double kMostAttenuation = 1.0e15;  // that of a scene of micrometres
 
 }  // namespace
 
@@ -29,15 +31,12 @@ LightsPanel::LightsPanel(Session& session, QWidget* parent)
     const int rows = m_ui->list->sizeHintForRow(0) * LightRowCount;
     m_ui->list->setFixedHeight(rows + 2 * m_ui->list->frameWidth());
     makeFields();
+    setRanges();
     connect(m_ui->list->selectionModel(), &QItemSelectionModel::currentChanged, this,
             &LightsPanel::showLight);
     connect(m_ui->list->selectionModel(), &QItemSelectionModel::currentChanged, this,
             [this] { m_gesture.end(); });
-    connect(m_ui->colour, &ColourButton::colourPicked, this, [this](const QColor& colour) {
-        change([this, &colour](Lights& lights) {
-            lightTerms(lights, row()).colour = linearColour(colour.redF(), colour.greenF(), colour.blueF());
-        });
-    });
+    makeColour();
     connect(m_ui->atEye, &QCheckBox::toggled, this,
             [this](bool on) { change([on](Lights& lights) { lights.spot.atEye = on; }); });
     connect(m_ui->reset, &QPushButton::clicked, this,
@@ -50,6 +49,42 @@ LightsPanel::~LightsPanel() = default;
 
 int LightsPanel::row() const {
     return std::max(m_ui->list->currentIndex().row(), 0);
+}
+
+/// What is tried is no step of its own: the colour that is taken is one, and none is left without it.
+void LightsPanel::makeColour() {
+    const auto linear = [](const QColor& colour) {
+        return linearColour(colour.redF(), colour.greenF(), colour.blueF());
+    };
+    m_ui->colour->setDialogTitle(tr("Colour of the Light"));
+    connect(m_ui->colour, &ColourButton::colourTried, this, [this, linear](const QColor& colour) {
+        if (!m_untried) {
+            Lights lights = m_session.settings().lights();
+            m_untried = lightTerms(lights, row()).colour;
+        }
+        tint(linear(colour));
+    });
+    connect(m_ui->colour, &ColourButton::cancelled, this, &LightsPanel::endTrial);
+    connect(m_ui->colour, &ColourButton::colourPicked, this, [this, linear](const QColor& colour) {
+        if (m_untried) {
+            endTrial();
+            change([this, &colour, linear](Lights& lights) {
+                lightTerms(lights, row()).colour = linear(colour);
+            });
+        }
+    });
+}
+
+void LightsPanel::tint(const glm::vec3& colour) {
+    Lights lights = m_session.settings().lights();
+    lightTerms(lights, row()).colour = colour;
+    m_session.settings().restoreLights(lights);
+}
+
+void LightsPanel::endTrial() {
+    if (const std::optional<glm::vec3> untried = std::exchange(m_untried, std::nullopt)) {
+        tint(*untried);
+    }
 }
 
 void LightsPanel::makeFields() {
@@ -87,7 +122,7 @@ void LightsPanel::addPoint(QDoubleSpinBox* const (&boxes)[3], glm::vec3* (*point
 }
 
 void LightsPanel::addField(QDoubleSpinBox* box, Value value, double scale) {
-    m_fields.push_back({box, std::move(value), scale});
+    m_fields.push_back({box, qobject_cast<NumberBox*>(box), std::move(value), scale});
     const std::size_t index = m_fields.size() - 1;
     connect(box, &QDoubleSpinBox::valueChanged, this,
             [this, index](double shown) { changeField(m_fields[index], shown); });
@@ -119,21 +154,52 @@ void LightsPanel::changeField(const Field& field, double shown) {
 
 void LightsPanel::showLight() {
     Lights lights = m_session.settings().lights();
+    setSteps(lights);
     for (const Field& field : m_fields) {
         const float* value = field.value(lights, row());
         // What is being typed is not replaced by its rounded self.
         if (value != nullptr && static_cast<float>(field.box->value() / field.scale) != *value) {
             const QSignalBlocker quiet(field.box);
-            field.box->setValue(static_cast<double>(*value) * field.scale);
+            const double shown = static_cast<double>(*value) * field.scale;
+            field.ofAnySize != nullptr ? field.ofAnySize->showNumber(shown) : field.box->setValue(shown);
         }
-    }
-    for (QDoubleSpinBox* box : {m_ui->positionX, m_ui->positionY, m_ui->positionZ}) {
-        box->setSingleStep(static_cast<double>(m_session.settings().lightSpace().extent) / kStepsToScene);
     }
     m_ui->colour->setColour(QColor(colourName(lightTerms(lights, row()).colour)));
     const QSignalBlocker quiet(m_ui->atEye);
     m_ui->atEye->setChecked(lights.spot.atEye);
     showRows(lights);
+}
+
+void LightsPanel::setRanges() {
+    for (NumberBox* box : {m_ui->positionX, m_ui->positionY, m_ui->positionZ, m_ui->directionX,
+                           m_ui->directionY, m_ui->directionZ}) {
+        box->setRange(-kFarthestLight, kFarthestLight);
+    }
+    for (NumberBox* box : {m_ui->positionX, m_ui->positionY, m_ui->positionZ}) {
+        box->setUnit(QStringLiteral("m"));
+    }
+    m_ui->linear->setRange(0.0, kMostAttenuation);
+    m_ui->quadratic->setRange(0.0, kMostAttenuation);
+    for (const Field& field : m_fields) {
+        if (field.ofAnySize != nullptr) {  // else three of them would make the dock wide
+            field.ofAnySize->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+        }
+    }
+}
+
+/// By the size of the scene: light that fades over a small one has a great attenuation.
+void LightsPanel::setSteps(Lights& lights) {
+    const auto extent = static_cast<double>(m_session.settings().lightSpace().extent);
+    for (NumberBox* box : {m_ui->positionX, m_ui->positionY, m_ui->positionZ}) {
+        box->setStepsWithin(extent);
+    }
+    if (const glm::vec3* direction = lightDirection(lights, row())) {
+        for (NumberBox* box : {m_ui->directionX, m_ui->directionY, m_ui->directionZ}) {
+            box->setStepsWithin(static_cast<double>(glm::length(*direction)));
+        }
+    }
+    m_ui->linear->setStepsWithin(1.0 / extent);
+    m_ui->quadratic->setStepsWithin(1.0 / (extent * extent));
 }
 
 void LightsPanel::showRows(const Lights& lights) {
