@@ -37,12 +37,13 @@ NoticeBar::NoticeBar(QWidget* parent)
     hide();
 }
 
-void NoticeBar::say(const QString& text, const QString& offer, std::function<void()> act) {
+int NoticeBar::say(const QString& text, const QString& offer, std::function<void()> act) {
     m_text->setText(text);
     m_offer->setText(offer);
     m_offer->setVisible(!offer.isEmpty());
     m_act = std::move(act);
     show();
+    return ++m_notice;
 }
 
 void NoticeBar::clear() {

@@ -15,15 +15,18 @@ class NoticeBar : public QFrame {
 public:
     explicit NoticeBar(QWidget* parent = nullptr);
 
-    /// `offer`, if there is one, is a button that does `act` and closes the bar.
-    void say(const QString& text, const QString& offer = {}, std::function<void()> act = {});
+    /// `offer`, if there is one, is a button that does `act` and closes the bar. Returns the number of the
+    /// notice.
+    int say(const QString& text, const QString& offer = {}, std::function<void()> act = {});
     void clear();
+    [[nodiscard]] bool isSaying(int notice) const { return notice == m_notice && !text().isEmpty(); }
     [[nodiscard]] QString text() const;
 
 private:
     QLabel* m_text = nullptr;
     QPushButton* m_offer = nullptr;
     std::function<void()> m_act;
+    int m_notice = 0;  ///< number of the last one
 };
 
 }  // namespace hitscope

@@ -45,8 +45,8 @@ void ReloadBar::follow() {
     }
     const QString first = names.mid(0, kMostNames).join(QStringLiteral(", "));
     if (names.size() > kMostNames) {
-        m_text->setText(
-            tr("%1 and %2 other files have changed on the disk.").arg(first).arg(names.size() - kMostNames));
+        m_text->setText(tr("%1 and %2 other files have changed on the disk.")
+                            .arg(first, QString::number(names.size() - kMostNames)));
     } else if (names.size() > 1) {
         m_text->setText(tr("%1 have changed on the disk.").arg(first));
     } else {

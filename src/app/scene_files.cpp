@@ -58,7 +58,7 @@ Error outOfMemory(const QString& location) {
 QString sceneNameOf(const ScenePlan& scene) {
     const QString first = scene.targets.front().name;
     const auto others = static_cast<int>(scene.targets.size()) - 1;
-    return others == 0 ? first : SceneFiles::tr("%1 and %2 more").arg(first).arg(others);
+    return others == 0 ? first : SceneFiles::tr("%1 and %2 more").arg(first, QString::number(others));
 }
 
 }  // namespace
@@ -80,7 +80,8 @@ void SceneFiles::beginTask(const QString& name) {
     m_preparing.stop();
     m_name = QFileInfo(name).fileName();
     if (m_work && m_work->paths.size() > 1) {
-        m_name = tr("%1 (%2 of %3)").arg(m_name).arg(m_work->next).arg(m_work->paths.size());
+        m_name = tr("%1 (%2 of %3)")
+                     .arg(m_name, QString::number(m_work->next), QString::number(m_work->paths.size()));
     }
     const QString doing = tr("Opening %1").arg(m_name);
     if (m_progress) {

@@ -63,7 +63,7 @@ QString SessionCollector::proposedFolder() const {
     const QString name = QFileInfo(nameOfSession()).completeBaseName();
     QString folder = beside.filePath(name);
     for (int number = 2; QFileInfo::exists(folder); ++number) {
-        folder = beside.filePath(QStringLiteral("%1 %2").arg(name).arg(number));
+        folder = beside.filePath(QStringLiteral("%1 %2").arg(name, QString::number(number)));
     }
     return folder;
 }

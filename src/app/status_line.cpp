@@ -121,7 +121,7 @@ void StatusLine::showTask() {
     const std::size_t others = m_session.tasks().size() - 1;
     const QString what =
         withRemaining(task->what, task->fraction, 1.0e-3 * static_cast<double>(m_taskTime.elapsed()));
-    m_doing->setText(others == 0 ? what : tr("%1 (%2 more)").arg(what).arg(others));
+    m_doing->setText(others == 0 ? what : tr("%1 (%2 more)").arg(what, QString::number(others)));
     m_fraction->setMaximum(task->fraction < 0.0 ? 0 : kDone);
     m_fraction->setValue(task->fraction < 0.0 ? 0 : static_cast<int>(std::lround(task->fraction * kDone)));
     m_cancel->setVisible(static_cast<bool>(task->cancel));

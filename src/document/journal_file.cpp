@@ -57,11 +57,12 @@ void syncFolder(const QString& folder) {
 
 JournalFile::JournalFile(const QString& folder)
     : m_folder(folder),
-      m_path(QStringLiteral("%1/%2-%3-%4%5")
-                 .arg(folder, QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-hhmmss")))
-                 .arg(QCoreApplication::applicationPid())
-                 .arg(QRandomGenerator::system()->generate(), 8, 16, QLatin1Char('0'))
-                 .arg(JournalWriter::kSuffix)) {}
+      m_path(
+          QStringLiteral("%1/%2-%3-%4%5")
+              .arg(folder, QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-hhmmss")),
+                   QString::number(QCoreApplication::applicationPid()),
+                   QStringLiteral("%1").arg(QRandomGenerator::system()->generate(), 8, 16, QLatin1Char('0')),
+                   JournalWriter::kSuffix)) {}
 
 JournalFile::~JournalFile() {
     if (m_descriptor >= 0) {

@@ -110,8 +110,7 @@ QString MeshHealthModel::toolTip(const HarmRow& row) const {
             return tr("%1: its area is zero.").arg(face);
         case FaceHarm::Kind::Stretched:
             return tr("%1: one of its edges is %2 times as long as in the original.")
-                .arg(face)
-                .arg(shownNumber(static_cast<double>(row.harm.stretch), 'f', 2));
+                .arg(face, shownNumber(static_cast<double>(row.harm.stretch), 'f', 2));
     }
     return face;
 }

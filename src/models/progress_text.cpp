@@ -18,11 +18,9 @@ QString withRemaining(const QString& what, double fraction, double seconds) {
         return what;
     }
     return *left > kInMinutes ? QCoreApplication::translate("hitscope::ProgressText", "%1, about %2 min left")
-                                    .arg(what)
-                                    .arg(std::lround(*left / kMinute))
+                                    .arg(what, QString::number(std::lround(*left / kMinute)))
                               : QCoreApplication::translate("hitscope::ProgressText", "%1, about %2 s left")
-                                    .arg(what)
-                                    .arg(std::max(1L, std::lround(*left)));
+                                    .arg(what, QString::number(std::max(1L, std::lround(*left))));
 }
 
 }  // namespace hitscope

@@ -204,7 +204,8 @@ Result<Image> PictureSequence::next() {
 QString sequencePath(const QString& folder, const QString& base, int number, int count) {
     const auto digits = std::max(kDigits, static_cast<int>(QString::number(count).size()));
     return QDir(folder).filePath(
-        QStringLiteral("%1-%2.png").arg(base).arg(number, digits, 10, QLatin1Char('0')));
+        QStringLiteral("%1-%2.png")
+            .arg(base, QString::number(number).rightJustified(digits, QLatin1Char('0'))));
 }
 
 }  // namespace hitscope

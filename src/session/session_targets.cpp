@@ -71,7 +71,7 @@ std::set<QString> SessionTargets::names() const {
 QString SessionTargets::freeName(const QString& wanted, std::set<QString>& taken) {
     QString name = wanted;
     for (int number = 2; !taken.insert(name).second; ++number) {
-        name = QStringLiteral("%1 %2").arg(stem(wanted)).arg(number);
+        name = QStringLiteral("%1 %2").arg(stem(wanted), QString::number(number));
     }
     return name;
 }

@@ -96,8 +96,7 @@ void ExportActions::follow() {
     enableIf(*m_export, isAny, tr("There is no target to export."));
     enableIf(*m_again, isThere,
              m_last ? tr("What was exported last is not in the scene.") : tr("Nothing was exported yet."));
-    m_again->setText(isThere ? tr("Export A&gain to %1")
-                                   .arg(QFileInfo(m_last->path).fileName().replace(u'&', QLatin1String("&&")))
+    m_again->setText(isThere ? tr("Export A&gain to %1").arg(menuText(QFileInfo(m_last->path).fileName()))
                              : tr("Export A&gain"));
 }
 

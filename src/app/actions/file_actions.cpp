@@ -89,6 +89,13 @@ FileActions::FileActions(const Parts& parts) : QObject(&parts.window), m_parts(p
         Q_EMIT said(tr("Saved %1").arg(QFileInfo(path).fileName()));
     });
     watchFile();
+    const SessionTargets& targets = m_parts.session.targets();
+    const SessionSettings& settings = m_parts.session.settings();
+    connect(&targets, &SessionTargets::added, this, &FileActions::withdrawScaling);
+    connect(&targets, &SessionTargets::removed, this, &FileActions::withdrawScaling);
+    connect(&targets, &SessionTargets::changed, this, &FileActions::withdrawScaling);
+    connect(&settings, &SessionSettings::constantsChanged, this, &FileActions::withdrawScaling);
+    connect(&settings, &SessionSettings::flightModeChanged, this, &FileActions::withdrawScaling);
     connect(&m_parts.files, &SceneFiles::cancelled, this,
             [this] { Q_EMIT said(tr("Cancelled. The scene is unchanged.")); });
 }
@@ -270,7 +277,18 @@ void FileActions::takeOpened(const QStringList& paths, const QStringList& allNot
 
 /// What was dropped or mended on the way, and whether the mesh's size asks for something.
 void FileActions::sayOpened(const QStringList& notes) {
-    QStringList lines = firstOf(notes);
+    m_sizeQuestion = sizeQuestion();
+    if (m_sizeQuestion.isEmpty()) {
+        sayNotes(firstOf(notes));
+        return;
+    }
+    m_sizeNotes = firstOf(notes);
+    m_sizeNotice = m_parts.notice.say((QStringList(m_sizeQuestion) + m_sizeNotes).join(u'\n'),
+                                      tr("Scale to %1 m").arg(shownNumber(static_cast<double>(kUsualExtent))),
+                                      [this] { place(kUsualExtent); });
+}
+
+QString FileActions::sizeQuestion() const {
     const glm::vec3 size = m_parts.session.targets().bounds().size();
     const float extent = std::max({size.x, size.y, size.z});
     const bool oneMesh = m_parts.session.targets().size() == 1;
@@ -279,23 +297,29 @@ void FileActions::sayOpened(const QStringList& notes) {
     const bool projectileFits = m_parts.session.settings().flightMode() == FlightMode::Quick ||
                                 m_parts.session.settings().flightMode() == FlightMode::Instant;
     const bool isUsual = extent >= kSmallestExtent && extent <= kLargestExtent;
-    if (oneMesh && extent > 0.0f && !isUsual && !(dentFits && projectileFits)) {
-        const ProjectileSettings projectile = projectileOf(
-            m_parts.session.settings().flightMode(), m_parts.session.settings().projectile(), extent, extent);
-        const float reach =
-            dentFits ? 2.0f * projectile.radius : m_parts.session.settings().constants().maxDistance;
-        const QString text = dentFits
-                                 ? tr("This mesh is %1 m across; a projectile is %2 m. With Quick or Instant "
-                                      "in the tool bar, it goes by the size of the mesh.")
-                                 : tr("This mesh is %1 m across; hits reach %2 m around where they land.");
-        lines.prepend(text.arg(shownNumber(static_cast<double>(extent), 'g', 3),
-                               shownNumber(static_cast<double>(reach), 'g', 3)));
-        m_parts.notice.say(lines.join(u'\n'),
-                           tr("Scale to %1 m").arg(shownNumber(static_cast<double>(kUsualExtent))),
-                           [this] { place(kUsualExtent); });
-    } else {
-        sayNotes(lines);
+    if (!oneMesh || extent <= 0.0f || isUsual || (dentFits && projectileFits)) {
+        return {};
     }
+    const ProjectileSettings projectile = projectileOf(
+        m_parts.session.settings().flightMode(), m_parts.session.settings().projectile(), extent, extent);
+    const float reach =
+        dentFits ? 2.0f * projectile.radius : m_parts.session.settings().constants().maxDistance;
+    const QString text = dentFits
+                             ? tr("This mesh is %1 m across; a projectile is %2 m. With Quick or Instant "
+                                  "in the tool bar, it goes by the size of the mesh.")
+                             : tr("This mesh is %1 m across; hits reach %2 m around where they land.");
+    return text.arg(shownNumber(static_cast<double>(extent), 'g', 3),
+                    shownNumber(static_cast<double>(reach), 'g', 3));
+}
+
+/// The mesh was scaled or removed, or others were added, say: what the notice says is not so any more.
+void FileActions::withdrawScaling() {
+    if (m_sizeNotice == 0 || !m_parts.notice.isSaying(m_sizeNotice) || sizeQuestion() == m_sizeQuestion) {
+        return;
+    }
+    m_sizeNotice = 0;
+    m_parts.notice.clear();
+    sayNotes(m_sizeNotes);
 }
 
 void FileActions::sayNotes(const QStringList& lines) {
@@ -312,8 +336,8 @@ void FileActions::sayNotes(const QStringList& lines) {
 void FileActions::showRecent() {
     m_recent->clear();
     for (const QString& path : m_parts.settings.recentFiles) {
-        QAction* action =
-            m_recent->addAction(QFileInfo(path).fileName(), this, [this, path] { askAndOpen({path}); });
+        QAction* action = m_recent->addAction(menuText(QFileInfo(path).fileName()), this,
+                                              [this, path] { askAndOpen({path}); });
         action->setToolTip(path);
     }
     if (m_parts.settings.recentFiles.isEmpty()) {

@@ -85,6 +85,8 @@ private:
     void showRecent();
     void takeOpened(const QStringList& paths, const QStringList& notes, SceneFiles::Into into);
     void sayOpened(const QStringList& notes);
+    [[nodiscard]] QString sizeQuestion() const;  ///< empty: the mesh's size asks for nothing
+    void withdrawScaling();                      ///< where the size asks for something else by now
     void follow();
     void followFile();
 
@@ -100,6 +102,9 @@ private:
     QAction* m_revert = nullptr;
     QAction* m_placeMesh = nullptr;
     QAction* m_fileCoordinates = nullptr;
+    int m_sizeNotice = 0;  ///< the notice that offers to scale the mesh; 0: none did
+    QString m_sizeQuestion;
+    QStringList m_sizeNotes;  ///< what it says beside that
 };
 
 }  // namespace hitscope

@@ -43,4 +43,8 @@ QAction* addHeldKey(QMenu& menu, const QString& text, const QString& key, const 
     return addAction(menu, text + u'\t' + key, {}, context, std::move(act));
 }
 
+QString menuText(QString name) {
+    return name.replace(u'&', QLatin1String("&&"));
+}
+
 }  // namespace hitscope

@@ -24,5 +24,7 @@ QAction* addChoice(QMenu& menu, QActionGroup& group, const QString& text, bool o
 /// One whose key the viewport handles itself, since it is held down; the menu shows it.
 QAction* addHeldKey(QMenu& menu, const QString& text, const QString& key, const QObject* context,
                     std::function<void()> act);
+/// A name as a menu shows it, with each "&" that is in it: else that would mark a key.
+[[nodiscard]] QString menuText(QString name);
 
 }  // namespace hitscope

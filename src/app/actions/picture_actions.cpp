@@ -184,7 +184,7 @@ void PictureActions::saveTurntable() {
     const QDir pictures(pictureFolder());
     QString name = plan.base;
     for (int number = 2; pictures.exists(name); ++number) {
-        name = QStringLiteral("%1-%2").arg(plan.base).arg(number);
+        name = QStringLiteral("%1-%2").arg(plan.base, QString::number(number));
     }
     plan.folder = pictures.filePath(name);
     if (!pictures.mkpath(plan.folder)) {

@@ -78,6 +78,7 @@ GoToVertexDialog::GoToVertexDialog(const Session& session, QWidget* parent)
     form->addRow(tr("&Vertex number"), m_number);
     m_range = new QLabel(this);
     m_range->setObjectName(QStringLiteral("range"));
+    m_range->setTextFormat(Qt::PlainText);  // it may name the target
     form->addRow(QString(), m_range);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     form->addRow(buttons);

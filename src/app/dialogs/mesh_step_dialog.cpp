@@ -58,7 +58,9 @@ MeshStepDialog::MeshStepDialog(Kind kind, std::shared_ptr<const MeshData> mesh, 
     setObjectName(QLatin1String(names[static_cast<int>(kind)]));
     setWindowTitle(titles[static_cast<int>(kind)]);
     auto* form = new QFormLayout(this);
-    form->addRow(tr("Target:"), new QLabel(target, this));
+    auto* name = new QLabel(target, this);
+    name->setTextFormat(Qt::PlainText);
+    form->addRow(tr("Target:"), name);
     kind == Kind::Refine ? makeRefineRows(*form) : makeOtherRows(*form);
     makeRegionRow(*form);
     if (kind != Kind::Refine) {

@@ -199,8 +199,7 @@ void Gathered::noteSteps(const TargetExport& target) {
     m_notes +=
         QCoreApplication::translate(
             "Export", "%1 is no longer the mesh of its file: it was written in full. New vertices: %2 of %3.")
-            .arg(QString::fromStdString(target.name))
-            .arg(QLocale().toString(static_cast<qulonglong>(added)),
+            .arg(QString::fromStdString(target.name), QLocale().toString(static_cast<qulonglong>(added)),
                  QLocale().toString(static_cast<qulonglong>(mesh.vertexCount())));
 }
 
