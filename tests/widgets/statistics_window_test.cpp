@@ -30,15 +30,18 @@ namespace {
 
 /// A window on a cube with one dent in its top.
 struct Scene {
-    Scene() {
-        loadMesh(session, makeHighPolyCube(2.5f));
+    /// `scale`: 1: a cube of five metres.
+    explicit Scene(float scale = 1.0f) {
+        loadMesh(session, makeHighPolyCube(2.5f * scale));
         window.emplace(session);
         showReady(*window);
         statistics = window->findChild<QDockWidget*>(QStringLiteral("meshStatistics"));
         statistics->raise();
         Hit hit;
         hit.target = session.targets().front()->id;
-        hit.point = {0.0f, 2.5f, 0.0f};
+        hit.point = {0.0f, 2.5f * scale, 0.0f};
+        hit.constants.maxDistance *= scale;
+        hit.constants.maxMagnitude *= scale;
         hit.direction = {0.0f, -1.0f, 0.0f};
         QVERIFY(session.hits().add(hit).ok());
     }
@@ -212,6 +215,20 @@ private Q_SLOTS:
         QTest::mouseDClick(harms->viewport(), Qt::LeftButton, {}, row);
         QTRY_VERIFY_WITH_TIMEOUT(scene.window->viewport().camera().distance() < 0.5f * before, kPatience);
         QCOMPARE(scene.session.hits().selected(), std::optional<std::size_t>(0));
+    }
+
+    /// As near as the size of the mesh asks for, not within half a metre.
+    void harmedFacesOfSmallMeshesAreSeen() {
+        Scene scene(0.001f);
+        scene.openTab(2);
+        auto* harms = scene.find<QTableView>("harms");
+        scene.find<QDoubleSpinBox>("stretchLimit")->setValue(1.1);
+        QTRY_VERIFY_WITH_TIMEOUT(harms->model()->rowCount() > 0, kPatience);
+        const float before = scene.window->viewport().camera().distance();
+        const QPoint row = harms->visualRect(harms->model()->index(0, 1)).center();
+        QTest::mouseClick(harms->viewport(), Qt::LeftButton, {}, row);
+        QTest::mouseDClick(harms->viewport(), Qt::LeftButton, {}, row);
+        QTRY_VERIFY_WITH_TIMEOUT(scene.window->viewport().camera().distance() < 0.5f * before, kPatience);
     }
 
     void thePipelineAgrees() {

@@ -263,12 +263,13 @@ void MeshStatisticsPanel::lookAtHarm(const QModelIndex& index) {
         m_session.hits().select(*row.hit);
     }
     // The face and as much around it as shows where it is.
-    constexpr float kAround = 0.25f;  // metres
+    constexpr float kAround = 0.05f;  // of the target's extent
+    const float around = kAround * target->extent();
     Bounds bounds;
     for (const std::uint32_t vertex : target->deformed.original().face(row.harm.face)) {
         const glm::vec3 place = target->transform.toWorld(target->deformed.positions()[vertex]);
-        bounds.add(place - glm::vec3(kAround));
-        bounds.add(place + glm::vec3(kAround));
+        bounds.add(place - glm::vec3(around));
+        bounds.add(place + glm::vec3(around));
     }
     Q_EMIT lookWanted(bounds);
 }

@@ -79,11 +79,12 @@ void PipelineAgreementPanel::lookAtWorst() {
         return;
     }
     m_session.selection().setPicked(report->worst);
-    constexpr float kAround = 0.25f;  // metres
+    constexpr float kAround = 0.05f;  // of the target's extent
+    const float around = kAround * target->extent();
     const glm::vec3 place = target->transform.toWorld(target->deformed.positions()[report->worst->vertex]);
     Bounds bounds;
-    bounds.add(place - glm::vec3(kAround));
-    bounds.add(place + glm::vec3(kAround));
+    bounds.add(place - glm::vec3(around));
+    bounds.add(place + glm::vec3(around));
     Q_EMIT lookWanted(bounds);
 }
 
