@@ -35,6 +35,7 @@ private Q_SLOTS:
     void previewGoesWithAnEdit();
     void fewVerticesAreRefinedAtTheAim();
     void aShotThatMovesNothingSaysSo();
+    void whatIsGoneIsNotRefined();
     void burstFromTheDialog();
     void sequenceAlongALine();
     void targetIsMadeDynamicAndBack();
@@ -193,6 +194,24 @@ void ShotsTest::fewVerticesAreRefinedAtTheAim() {
                              kPatience);
     QTest::keyClick(m_window.get(), Qt::Key_Z, Qt::ControlModifier);
     QTRY_COMPARE_WITH_TIMEOUT(target().shape.mesh->positions.size(), before.size(), kPatience);
+}
+
+void ShotsTest::whatIsGoneIsNotRefined() {
+    const Target& target = *m_session->targets().front();
+    auto* mesh = m_window->findChild<QAction*>("refineAtAim");
+    QVERIFY(mesh != nullptr);
+    moveTo(m_window->viewport().rect().center());
+    QTRY_VERIFY_WITH_TIMEOUT(mesh->isEnabled(), kPatience);
+    QEvent leave(QEvent::Leave);
+    QCoreApplication::sendEvent(&m_window->viewport(), &leave);
+    QVERIFY(mesh->isEnabled());
+    const std::vector<TargetState> same{target};
+    m_session->targets().replaceMeshes(same, [](const Hit& hit) { return hit; });
+    QVERIFY(!mesh->isEnabled());
+    m_session->undo();
+    QVERIFY(mesh->isEnabled());
+    loadTeapot(*m_session);
+    QVERIFY(!mesh->isEnabled());
 }
 
 void ShotsTest::burstFromTheDialog() {

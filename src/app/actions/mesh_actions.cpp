@@ -51,6 +51,7 @@ MeshActions::MeshActions(Session& session, AimPreview& aim, QWidget& window)
 void MeshActions::fill(QMenu& menu) {
     m_refine = addAction(menu, tr("&Refine…"), {}, this, [this] { show(MeshStepDialog::Kind::Refine); });
     m_refineAtAim = addAction(menu, tr("Refi&ne at the Aim"), tr("Ctrl+R"), this, [this] { refineAtAim(); });
+    m_refineAtAim->setObjectName(QStringLiteral("refineAtAim"));
     m_refineAtAim->setToolTip(tr("Makes the mesh finer where the shot under the cursor would make its dent"));
     m_simplify =
         addAction(menu, tr("S&implify…"), {}, this, [this] { show(MeshStepDialog::Kind::Simplify); });
@@ -93,7 +94,9 @@ void MeshActions::follow() {
     const bool hasObjects = target != nullptr && objectCount(*target->shape.mesh) > 1;
     enableIf(*m_separate, hasObjects && !m_editor.isBusy(),
              target == nullptr || m_editor.isBusy() ? why : tr("The target's mesh is one object."));
-    enableIf(*m_refineAtAim, m_aim.aim().has_value() && !m_editor.isBusy(),
+    // What it rested on may have gone, or got another mesh and with it another id.
+    const bool isAimed = m_aim.aim() && m_session.targets().find(m_aim.aim()->target) != nullptr;
+    enableIf(*m_refineAtAim, isAimed && !m_editor.isBusy(),
              m_editor.isBusy() ? why : tr("Rest the cursor on a target first."));
 }
 
