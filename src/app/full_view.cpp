@@ -3,6 +3,7 @@
 
 #include <QAction>
 #include <QDockWidget>
+#include <QEvent>
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
@@ -44,9 +45,22 @@ FullView::FullView(QMainWindow& window)
 
 void FullView::fill(QMenu& menu) {
     menu.addAction(m_toggle);
-    addToggle(menu, tr("F&ull Screen"), Qt::Key_F11, false, this, [this](bool on) {
+    m_fullScreen = addToggle(menu, tr("F&ull Screen"), Qt::Key_F11, false, this, [this](bool on) {
         m_window.setWindowState(m_window.windowState().setFlag(Qt::WindowFullScreen, on));
     });
+    m_window.installEventFilter(this);
+    followState();
+}
+
+bool FullView::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == &m_window && event->type() == QEvent::WindowStateChange) {
+        followState();
+    }
+    return QObject::eventFilter(watched, event);
+}
+
+void FullView::followState() {
+    m_fullScreen->setChecked(m_window.windowState().testFlag(Qt::WindowFullScreen));
 }
 
 /// The keys of a menu bar that is hidden do not count; those of the window do.

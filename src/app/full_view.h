@@ -22,12 +22,18 @@ public:
     [[nodiscard]] bool isOn() const { return m_on; }
     void set(bool on);
 
+protected:
+    /// The window manager, a restored geometry and our own keys change its state: the action shows it.
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
+    void followState();
     void borrowKeys();
     void giveKeysBack();
 
     QMainWindow& m_window;
     QAction* m_toggle = nullptr;
+    QAction* m_fullScreen = nullptr;
     QAction* m_leave = nullptr;  ///< Escape, while it is on
     bool m_on = false;
     QList<QAction*> m_borrowed;

@@ -71,6 +71,7 @@ private Q_SLOTS:
     void isRemembered();
     void keysOverlayListsWhatThereIs();
     void viewportOnlyAndBack();
+    void fullScreenIsShownInTheMenu();
 
 private:
     void settle() { QTRY_VERIFY_WITH_TIMEOUT(!navigation().isMoving(), kPatience); }
@@ -325,6 +326,32 @@ void CameraWindowTest::viewportOnlyAndBack() {
     makeWindow();
     QVERIFY(m_window->findChild<QDockWidget*>(QStringLiteral("hitHistory"))->isVisible());
     QVERIFY(m_window->menuBar()->isVisible());
+}
+
+/// Whoever changes the window's state: our keys, the window manager, a restored geometry.
+void CameraWindowTest::fullScreenIsShownInTheMenu() {
+    const auto isFull = [this] { return m_window->windowState().testFlag(Qt::WindowFullScreen); };
+    QAction* full = actionNamed(*m_window, QStringLiteral("Full Screen"));
+    m_window->setWindowState(m_window->windowState() | Qt::WindowFullScreen);
+    QVERIFY(full->isChecked());
+    m_window->setWindowState(m_window->windowState() & ~Qt::WindowFullScreen);
+    QVERIFY(!full->isChecked());
+    QTest::keyClick(&m_window->viewport(), Qt::Key_Return, Qt::AltModifier);
+    QVERIFY(isFull() && full->isChecked());
+    full->trigger();  // F11 leaves it, where it was entered by another key
+    QVERIFY(!isFull() && !full->isChecked());
+    QTest::keyClick(&m_window->viewport(), Qt::Key_Escape);
+    full->trigger();
+    QTest::keyClick(&m_window->viewport(), Qt::Key_Return, Qt::AltModifier);
+    QTest::keyClick(&m_window->viewport(), Qt::Key_Escape);
+    QVERIFY(isFull() && full->isChecked());
+    m_window->close();
+    makeWindow();
+    QVERIFY(isFull());
+    full = actionNamed(*m_window, QStringLiteral("Full Screen"));
+    QVERIFY(full->isChecked());
+    full->trigger();
+    QVERIFY(!isFull());
 }
 
 HITSCOPE_TEST(CameraWindowTest, QApplication)
