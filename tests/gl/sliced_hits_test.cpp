@@ -125,7 +125,9 @@ private Q_SLOTS:
             QVERIFY(m_gpu->applyMore().ok());
         }
         QVERIFY(slices > 5);
-        QVERIFY(draw());
+        for (int frame = 0; frame < 1 || (m_gpu->isReadBackPending() && frame < 1000); ++frame) {
+            QVERIFY(draw());  // what moved follows in slices of time, too, on a busy machine in several
+        }
         QVERIFY(!m_gpu->isReadBackPending());
         QCOMPARE(wrongVertices(*m_session), std::size_t{0});
 
