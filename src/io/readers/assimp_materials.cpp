@@ -133,6 +133,35 @@ bool isNameless(const Material& material) {
     return material.name.empty() || material.name == AI_DEFAULT_MATERIAL_NAME;
 }
 
+bool isPlain(const Material& material) {
+    const bool isGrey = material.diffuse.x == material.diffuse.y && material.diffuse.y == material.diffuse.z;
+    return isGrey && material.opacity == 1.0f && material.diffuseTexture.empty() &&
+           material.normalMap.texture.empty() && material.metalRoughness.texture.empty();
+}
+
+/// Assimp's own, for parts that have no material. In a glTF file it is the format's default, without a name.
+bool isAdded(const Material& material) {
+    const bool isDefault = material.diffuse == glm::vec3(1.0f) && material.metalRoughness.metalness == 1.0f &&
+                           material.metalRoughness.roughness == 1.0f;
+    return isPlain(material) && isNameless(material) && (isDefault || !material.name.empty());
+}
+
+/// Faces that had none have none again. Two in a glTF file of ours: the one that GltfMaterials writes for
+/// programs to which the format's default is a dark metal, and Assimp's, which it adds always.
+void dropAdded(ImportedMesh& imported) {
+    MeshData& mesh = imported.mesh;
+    while (!mesh.materials.empty() && isAdded(mesh.materials.back())) {
+        mesh.materials.pop_back();
+        const std::size_t last = mesh.materials.size();
+        std::erase(imported.opaqueMaterials, last);
+        std::replace(mesh.faceMaterials.begin(), mesh.faceMaterials.end(), static_cast<std::uint32_t>(last),
+                     kNoIndex);
+    }
+    if (mesh.materials.empty()) {
+        mesh.faceMaterials.clear();
+    }
+}
+
 /// Compressed pictures are a file in memory (height 0, width its size in bytes); others are texels.
 std::optional<Image> convertTexture(const aiTexture& texture, QString& why) {
     if (texture.mHeight == 0) {
@@ -195,10 +224,7 @@ void convertMaterials(const aiScene& scene, ImportedMesh& imported) {
             imported.opaqueMaterials.push_back(m);
         }
     }
-    if (!imported.mesh.materials.empty() && isNameless(imported.mesh.materials.back())) {
-        // Assimp's own, for parts that have no material: nobody has called them metal.
-        imported.mesh.materials.back().metalRoughness = {};
-    }
+    dropAdded(imported);
     EmbeddedPictures pictures(scene, imported);
     for (Material& material : imported.mesh.materials) {
         pictures.take(material, "texture", material.diffuseTexture, material.diffuseImage);

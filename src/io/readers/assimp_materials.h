@@ -9,7 +9,8 @@ struct aiScene;
 
 namespace hitscope {
 
-/// Converts a scene's materials, in its order, and decodes the pictures that the file itself holds.
+/// Converts a scene's materials, in its order but for those that Assimp adds, and decodes the pictures that
+/// the file itself holds.
 void convertMaterials(const aiScene& scene, ImportedMesh& imported);
 
 /// Gives textures, which glTF names by URIs, the names of their files in `folder`, where only those are

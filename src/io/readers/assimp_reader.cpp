@@ -232,18 +232,6 @@ Status SceneMerger::merge() {
     return Done{};
 }
 
-/// Assimp's glTF reader adds a material for primitives without one, whether there are any or not.
-void dropAddedMaterial(MeshData& mesh) {
-    const auto last = static_cast<std::uint32_t>(mesh.materials.size()) - 1;
-    const bool used =
-        mesh.materials.empty() ||
-        std::find(mesh.faceMaterials.begin(), mesh.faceMaterials.end(), last) != mesh.faceMaterials.end();
-    if (!used &&
-        (mesh.materials.back().name.empty() || mesh.materials.back().name == AI_DEFAULT_MATERIAL_NAME)) {
-        mesh.materials.pop_back();
-    }
-}
-
 void noteWhatIsLeftOut(const aiScene& scene, bool hasMorphed, ImportedMesh& imported) {
     bool hasBones = false;
     bool hasMorphs = false;
@@ -382,7 +370,6 @@ Result<ImportedMesh> readWithAssimp(const QString& path, std::string_view conten
     if (isGltf(suffix)) {
         nameTexturesOfUris(info.absolutePath(), imported.mesh);
     }
-    dropAddedMaterial(imported.mesh);
     imported.notes += gltf.notes;
     noteWhatIsLeftOut(*scene, merger.hasMorphed(), imported);
     tidy(imported);

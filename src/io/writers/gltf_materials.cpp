@@ -178,6 +178,7 @@ Status GltfMaterials::make(bool plain) {
     // glTF's own default is a metal, which is dark wherever nothing is mirrored. Colours of vertices are
     // multiplied with it.
     Material ours;
+    ours.name = "DefaultMaterial";  // as Assimp calls such: our reader takes it for none
     ours.diffuse = m_mesh.colours.empty() ? ours.diffuse : glm::vec3(1.0f);
     return plain ? convert(ours) : Status(Done{});
 }
