@@ -47,10 +47,16 @@ private:
         m_window->openFiles({path("cube.obj")});
         QTRY_COMPARE_WITH_TIMEOUT(m_session->targets().size(), std::size_t{1}, kPatience);
     }
+    /// What it collects for a moment is on the disk.
+    void waitForJournal() {
+        auto* journal = m_window->findChild<SessionJournal*>();
+        journal->flush();
+        QVERIFY(journal->isBegun());
+        QVERIFY(journal->writer().wait(kPatience));
+    }
     /// The window goes without closing, and another one offers what it has left.
     void crash() {
-        QTest::qWait(300);  // until the journal has begun
-        QVERIFY(m_window->findChild<SessionJournal*>()->writer().wait(kPatience));
+        waitForJournal();
         makeWindow([](Session& session) { loadTeapot(session); });
         m_window->offerRecovery();
         QTRY_VERIFY_WITH_TIMEOUT(isOffered(), kPatience);
@@ -112,12 +118,11 @@ private Q_SLOTS:
 
     void aDamagedJournalIsSetAside() {
         shoot(3, 1);
-        QTest::qWait(300);
+        waitForJournal();
         shoot(3, 2);
-        QTest::qWait(300);
+        waitForJournal();
         shoot(3, 3);
-        QTest::qWait(300);
-        QVERIFY(m_window->findChild<SessionJournal*>()->writer().wait(kPatience));
+        waitForJournal();
         m_window.reset();
         QCOMPARE(journals().size(), 1);
         QFile file(QDir(journalFolder()).filePath(journals()[0]));

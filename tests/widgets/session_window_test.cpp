@@ -82,6 +82,13 @@ private:
         QTRY_VERIFY_WITH_TIMEOUT(!files().isBusy(), kPatience);
         QVERIFY(QFile::exists(file));
     }
+    /// What it collects for a moment is on the disk.
+    void waitForJournal() {
+        auto* journal = m_window->findChild<SessionJournal*>();
+        journal->flush();
+        QVERIFY(journal->isBegun());
+        QVERIFY(journal->writer().wait(kPatience));
+    }
     /// Hits and positions, as they are now.
     [[nodiscard]] std::pair<std::uint64_t, std::uint64_t> fingerprints() {
         if (!m_window->viewport().syncNow().ok()) {
@@ -246,8 +253,7 @@ void SessionWindowTest::isRecoveredAfterACrash() {
     const auto before = fingerprints();
     const std::size_t hits = m_session->hits().history().size();
     QVERIFY(hits > 8);
-    QTest::qWait(300);  // settings are collected for a moment
-    QVERIFY(m_window->findChild<SessionJournal*>()->writer().wait(kPatience));
+    waitForJournal();
     QVERIFY(leftBehind().empty());  // this window has it
     m_window->findChild<JournalPicture*>()->take();
     QVERIFY(m_window->findChild<SessionJournal*>()->writer().wait(kPatience));
@@ -268,6 +274,8 @@ void SessionWindowTest::isRecoveredAfterACrash() {
     QVERIFY(fingerprints() == before);
     QVERIFY(m_session->settings().flightMode() == FlightMode::Instant);
     QVERIFY(!isOffered());
+    // The journal goes once the next one is on the disk, which may be slow.
+    QTRY_COMPARE_WITH_TIMEOUT(QDir(journalFolder()).entryList(QDir::Files).size(), 1, kPatience);
     QVERIFY(m_window->isWindowModified());  // it is in no file
     QVERIFY(m_window->findChild<DiscardGuard*>()->isAtRisk());
     QVERIFY(leftBehind().empty());
@@ -291,8 +299,7 @@ void SessionWindowTest::isRecoveredAfterACrash() {
 void SessionWindowTest::targetsWithoutHitsAreRecovered() {
     const RigidTransform put{{1.0f, 2.0f, 3.0f}};
     QVERIFY(m_session->targets().setTransform(m_session->targets().front()->id, put).ok());
-    QTest::qWait(300);  // until the journal has begun
-    QVERIFY(m_window->findChild<SessionJournal*>()->writer().wait(kPatience));
+    waitForJournal();
     for (int crash = 0; crash < 2; ++crash) {
         makeWindow([](Session& session) { loadTeapot(session); });
         QVERIFY(!m_window->findChild<DiscardGuard*>()->isAtRisk());
@@ -320,8 +327,7 @@ void SessionWindowTest::recoveredIsInItsFile() {
     shoot(3, 7);
     const std::size_t hits = m_session->hits().history().size();
     QVERIFY(m_window->isWindowModified());
-    QTest::qWait(300);  // until the journal has begun
-    QVERIFY(m_window->findChild<SessionJournal*>()->writer().wait(kPatience));
+    waitForJournal();
     if (isNewer) {
         QFile touched(file);
         QVERIFY(touched.open(QIODevice::ReadWrite));
