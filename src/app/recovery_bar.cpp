@@ -31,6 +31,9 @@ constexpr int kLargestPicture = 2048;  // pixels a side: larger is none of ours
 
 /// Null where there is none, or none that is ours.
 QPixmap pictureOf(const QByteArray& jpeg, double pixelRatio) {
+    if (jpeg.isEmpty()) {
+        return {};  // Qt would warn of a file that is none
+    }
     QBuffer buffer;
     buffer.setData(jpeg);
     QImageReader reader(&buffer, "jpeg");
