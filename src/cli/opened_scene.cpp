@@ -103,6 +103,9 @@ Outcome OpenedScene::load(const SceneWish& wish) {
     for (const QString& said : imported.value().notes) {
         note(QStringLiteral("note: ") + said);
     }
+    if (Status changed = changeCoordinates(imported.value().mesh, wish.coordinates); !changed) {
+        return changed;
+    }
     loadMesh(*m_session, std::move(imported.value().mesh), QFileInfo(wish.path).absoluteFilePath());
     return checkSources(*m_session);
 }

@@ -10,6 +10,7 @@
 #include "cli/command_line.h"
 #include "document/open_document.h"
 #include "gl/context.h"
+#include "mesh/coordinate_change.h"
 #include "scene/scene_gpu.h"
 #include "session/session.h"
 
@@ -24,6 +25,7 @@ struct SceneWish {
     std::optional<std::size_t> until = {};  ///< only the first so many hits; nothing: all
     /// Of a mesh that is neither drawn nor shot at: opened without OpenGL, and there is no gpu().
     bool isMeshAlone = false;
+    CoordinateChange coordinates = {};  ///< of a mesh, before all else
 };
 
 /// Whether that names a session, not a mesh.

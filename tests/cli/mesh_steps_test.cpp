@@ -64,6 +64,23 @@ private Q_SLOTS:
         QVERIFY(all["vertices"].toInt() > 2 * before["vertices"].toInt());
     }
 
+    void convertingChangesUnitAndAxis() {
+        const QJsonObject before = measured(in("ball.obj"));
+        const QString path = in("big.ply");
+        const CliRun run = runCli({"convert", "--check", "--scale", "10", "--up", "z", in("ball.obj"), path});
+        QVERIFY2(run.status == 0 && run.err.isEmpty(), qPrintable(run.err));
+        const QJsonObject after = measured(path);
+        QCOMPARE(after["vertices"], before["vertices"]);
+        const double ratio = after["volume"].toDouble() / before["volume"].toDouble();
+        QVERIFY2(ratio > 999.9 && ratio < 1000.1, qPrintable(QString::number(ratio)));
+        // And back, which a copy of the same file would not be told from.
+        const QString back = in("back.obj");
+        QCOMPARE(runCli({"convert", "--check", "--scale", "0.1", "--write-up", "z", path, back}).status, 0);
+        QCOMPARE(runCli({"compare", "--tolerance", "1e-6", in("ball.obj"), back}).status, 0);
+        QCOMPARE(runCli({"convert", "--scale", "0", in("ball.obj"), in("no.obj")}).status, 2);
+        QVERIFY(!QFile::exists(in("no.obj")));
+    }
+
     void shotsMeetTheChangedMesh() {
         const QString session = in("smooth.hitscope");
         const CliRun run = runCli({"shoot", "--at", "0,0,1", "--smooth", "10", "--simplify", "50",
