@@ -40,10 +40,6 @@ unsigned modeOf(const QString& path) {
 
 }  // namespace
 
-bool hasMaterials(const QByteArray& library) {
-    return library.startsWith("newmtl ") || library.contains("\nnewmtl ") || library.contains("\nnewmtl\t");
-}
-
 bool ExportPlace::isOwnFolder() const {
     const QString source = QFileInfo(sourceFolder).canonicalFilePath();
     return !sourceFolder.isEmpty() && !source.isEmpty() && source == QFileInfo(folder).canonicalFilePath();
@@ -144,23 +140,26 @@ Result<std::vector<PlacedTextures>> MaterialFiles::placeTextures() {
     return placed;
 }
 
-QByteArray MaterialFiles::withNewNames(const QByteArray& library) const {
+QByteArray MaterialFiles::withNewNames(const QByteArray& library, const QString& name) const {
     if (m_renamed.empty()) {
         return library;
     }
-    QList<QByteArray> lines = library.split('\n');
+    const char end = mtlLineEnd({library.constData(), static_cast<std::size_t>(library.size())});
+    QList<QByteArray> lines = library.split(end);
     for (QByteArray& line : lines) {
         const std::optional<MtlMap> map = mtlMapOf({line.constData(), static_cast<std::size_t>(line.size())});
-        auto renamed = map ? m_renamed.find(std::string(map->name)) : m_renamed.end();
+        const std::string texture =
+            map ? textureOfLibrary(m_place.sourceFolder, name, std::string(map->name)) : std::string();
+        auto renamed = map ? m_renamed.find(texture) : m_renamed.end();
         if (map && renamed == m_renamed.end()) {  // of a kind that is not drawn, known by its text
-            renamed = m_renamed.find(fileNameText(std::string(map->name)).toStdString());
+            renamed = m_renamed.find(fileNameText(texture).toStdString());
         }
         if (renamed != m_renamed.end()) {
             line.replace(map->name.data() - line.constData(), static_cast<qsizetype>(map->name.size()),
                          QByteArray::fromStdString(renamed->second));
         }
     }
-    return lines.join('\n');
+    return lines.join(end);
 }
 
 /// Empty: there is nothing to refer to.
@@ -171,7 +170,7 @@ Result<std::string> MaterialFiles::placeLibrary(const QString& name) {
         return std::string();
     }
     const QByteArray own = file.read(kMaxLibraryBytes);
-    if (!hasMaterials(own)) {
+    if (!definesMaterials({own.constData(), static_cast<std::size_t>(own.size())})) {
         return std::string();
     }
     const QString wanted = placeBelow(name);
@@ -179,7 +178,7 @@ Result<std::string> MaterialFiles::placeLibrary(const QString& name) {
     if (known != m_placedLibraries.end()) {
         return known->second;
     }
-    const QByteArray content = withNewNames(own);
+    const QByteArray content = withNewNames(own, name);
     const QString path = freePath(wanted, content);
     if (!QFileInfo::exists(path) && !m_staged.holds(path)) {
         const std::string_view bytes(content.constData(), static_cast<std::size_t>(content.size()));

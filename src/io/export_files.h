@@ -25,9 +25,6 @@ struct ExportPlace {
     [[nodiscard]] bool isOwnFolder() const;
 };
 
-/// Whether an MTL file defines any.
-[[nodiscard]] bool hasMaterials(const QByteArray& library);
-
 /// Brings what a mesh's materials refer to beside its export. Only files that the import read as pictures are
 /// copied, kMaxTextureBytes at most each; nothing that exists is replaced: a file of another content gets
 /// another name ("wood-1.png").
@@ -50,6 +47,9 @@ public:
     /// each material the names to refer to; textures that cannot be had keep theirs.
     [[nodiscard]] Result<std::vector<PlacedTextures>> placeTextures();
 
+    /// One of them alone: a texture by its name and its index in the mesh's images, -1: it is not there.
+    [[nodiscard]] Result<std::string> placeTexture(const std::string& name, int image);
+
     /// A path for a file of that content: `name` if it is free or already has this content, else
     /// "base-1.suffix", "base-2.suffix" ...
     [[nodiscard]] QString freePath(const QString& name, const QByteArray& content) const;
@@ -58,13 +58,12 @@ private:
     /// The name to refer to, "maps/wood.png"; the name itself where there is nothing to copy.
     Result<std::string> placePicture(const std::string& name, bool inItsFolder);
     Result<std::string> placeImage(int image);
-    Result<std::string> placeTexture(const std::string& name, int image);
     Result<std::string> placeLibrary(const QString& name);
     /// The pictures that MTL files name; those that had to change their names are noted.
     [[nodiscard]] Status placePictures();
     /// Pictures that are not where the mesh's file says, and were found elsewhere.
     [[nodiscard]] Status placeLocated();
-    [[nodiscard]] QByteArray withNewNames(const QByteArray& library) const;
+    [[nodiscard]] QByteArray withNewNames(const QByteArray& library, const QString& name) const;
     template <class IsSame>
     [[nodiscard]] QString freeName(const QString& name, const IsSame& isSame) const;
 

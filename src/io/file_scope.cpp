@@ -50,6 +50,18 @@ QString textureOfUri(const QString& folder, const QString& uri) {
     return isMeant ? decoded : uri;
 }
 
+std::string textureOfLibrary(const QString& folder, const QString& library, const std::string& name) {
+    QString path = library;
+    path.replace(QLatin1Char('\\'), QLatin1Char('/'));
+    path = QFileInfo(path).path();
+    const QString text = fileNameText(name);
+    if (name.empty() || path == QLatin1String(".") || !resolveTexture(folder, text).isEmpty()) {
+        return name;
+    }
+    const QString beside = path + QLatin1Char('/') + text;
+    return resolveInside(folder, beside).isEmpty() ? name : beside.toStdString();
+}
+
 QStringList librariesOnLine(const QString& folder, const QString& line) {
     if (!resolveInside(folder, line).isEmpty()) {
         return {line};

@@ -30,6 +30,11 @@ inline constexpr qint64 kMaxLibraryBytes = 64 << 20;     ///< of one MTL file
 /// The name of a texture that a glTF file names by a URI: decoded if only so a file is found.
 [[nodiscard]] QString textureOfUri(const QString& folder, const QString& uri);
 
+/// The name of a texture that the MTL file `library` names, from the mesh's folder: as it is written, or from
+/// that file's own folder where only this leads to a file.
+[[nodiscard]] std::string textureOfLibrary(const QString& folder, const QString& library,
+                                           const std::string& name);
+
 /// The file names of an MTL line, which may hold one name with blanks in it, or several names.
 [[nodiscard]] QStringList librariesOnLine(const QString& folder, const QString& line);
 

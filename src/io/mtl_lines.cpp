@@ -79,4 +79,30 @@ std::optional<MtlMap> mtlMapOf(std::string_view text) {
     return map;
 }
 
+char mtlLineEnd(std::string_view file) {
+    return file.find('\n') == std::string_view::npos ? '\r' : '\n';
+}
+
+std::string mtlText(std::string_view file) {
+    constexpr std::string_view kMark = "\xef\xbb\xbf";
+    std::string text(file.substr(file.starts_with(kMark) ? kMark.size() : 0));
+    std::replace(text.begin(), text.end(), mtlLineEnd(text), '\n');
+    std::erase(text, '\r');
+    std::erase(text, '\0');
+    return text;
+}
+
+bool definesMaterials(std::string_view file) {
+    const std::string text = mtlText(file);
+    for (TextCursor lines(text); !lines.atEnd();) {
+        TextCursor line(lines.line());
+        const bool begins = line.word() == "newmtl";
+        line.skipBlanks();
+        if (begins && !line.atEnd()) {
+            return true;
+        }
+    }
+    return false;
+}
+
 }  // namespace hitscope

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace hitscope {
@@ -15,5 +16,12 @@ struct MtlMap {
 
 /// Nothing if the line begins with no word that names a picture. It may have its line end.
 [[nodiscard]] std::optional<MtlMap> mtlMapOf(std::string_view line);
+
+/// What ends the lines of an MTL file: \n, also where \r is before it; \r where there is no \n.
+[[nodiscard]] char mtlLineEnd(std::string_view file);
+/// A file's text without byte order mark, zeros and \r; all its lines end with \n.
+[[nodiscard]] std::string mtlText(std::string_view file);
+/// Whether the file defines a material.
+[[nodiscard]] bool definesMaterials(std::string_view file);
 
 }  // namespace hitscope

@@ -125,7 +125,7 @@ Status compareMesh(const MeshData& read, const MeshExport& what, const WrittenNo
             return !goOn || goOn(step, kSurface + (1.0 - kSurface) * share);
         });
     if (!difference) {
-        difference = isObj ? materialDifference(read, what, path) : textureDifference(read, *what.mesh);
+        difference = isObj ? materialDifference(read, what, path) : textureDifference(read, what, path);
     }
     return difference ? Status(notAsMeant(path, *difference)) : Status(Done{});
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <string_view>
 #include <vector>
 
 #include "io/export_files.h"
@@ -42,21 +43,22 @@ QByteArray contentOf(const QString& path) {
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-std::optional<MtlMap> mapOf(const QByteArray& line) {
-    return mtlMapOf({line.constData(), static_cast<std::size_t>(line.size())});
+std::string_view viewOf(const QByteArray& bytes) {
+    return {bytes.constData(), static_cast<std::size_t>(bytes.size())};
 }
 
 /// But for the names of pictures.
 bool isCopy(const QByteArray& copy, const QByteArray& source) {
-    const QList<QByteArray> is = copy.split('\n');
-    const QList<QByteArray> meant = source.split('\n');
+    const char end = mtlLineEnd(viewOf(source));
+    const QList<QByteArray> is = copy.split(end);
+    const QList<QByteArray> meant = source.split(end);
     return std::equal(is.begin(), is.end(), meant.begin(), meant.end(),
                       [](const QByteArray& a, const QByteArray& b) {
                           if (a == b) {
                               return true;
                           }
-                          const std::optional<MtlMap> map = mapOf(a);
-                          const std::optional<MtlMap> other = mapOf(b);
+                          const std::optional<MtlMap> map = mtlMapOf(viewOf(a));
+                          const std::optional<MtlMap> other = mtlMapOf(viewOf(b));
                           return map && other && map->keyword == other->keyword;
                       });
 }
@@ -69,7 +71,7 @@ Unlikeness libraryDifference(const MeshData& read, const MeshData& meant, const 
             continue;  // it is referred to
         }
         const QByteArray content = contentOf(source);
-        const bool isThere = !hasMaterials(content) ||
+        const bool isThere = !definesMaterials(viewOf(content)) ||
                              std::any_of(copies.begin(), copies.end(), [&content](const QString& copy) {
                                  return isCopy(contentOf(copy), content);
                              });
@@ -126,10 +128,15 @@ public:
                       const QString& folder)
         : m_read(read), m_meant(meant), m_sourceFolder(sourceFolder), m_folder(folder) {}
 
+    [[nodiscard]] Unlikeness ofTexture(const Material& is, const Material& meant) const {
+        return areSame({is.diffuseTexture, is.diffuseImage}, {meant.diffuseTexture, meant.diffuseImage})
+                   ? std::nullopt
+                   : Unlikeness("has another texture");
+    }
     [[nodiscard]] Unlikeness of(const Material& is, const Material& meant) const {
         const auto differ = [this](const Picture& one, const Picture& other) { return !areSame(one, other); };
-        if (differ({is.diffuseTexture, is.diffuseImage}, {meant.diffuseTexture, meant.diffuseImage})) {
-            return "has another texture";
+        if (Unlikeness difference = ofTexture(is, meant)) {
+            return difference;
         }
         if (differ({is.normalMap.texture, is.normalMap.image},
                    {meant.normalMap.texture, meant.normalMap.image})) {
@@ -200,7 +207,9 @@ std::optional<std::string> materialDifference(const MeshData& read, const MeshEx
     return std::nullopt;
 }
 
-std::optional<std::string> textureDifference(const MeshData& read, const MeshData& meant) {
+std::optional<std::string> textureDifference(const MeshData& read, const MeshExport& what,
+                                             const QString& path) {
+    const MeshData& meant = *what.mesh;
     const auto textureOf = [](const MeshData& mesh) {
         return mesh.materials.size() == 1 ? nameOnLine(mesh.materials.front().diffuseTexture) : std::string();
     };
@@ -209,6 +218,14 @@ std::optional<std::string> textureDifference(const MeshData& read, const MeshDat
     // Without texture coordinates none need be named.
     if (is == wanted || (is.empty() && meant.cornerTexcoords.empty())) {
         return std::nullopt;
+    }
+    const bool isPicture = meant.materials.size() == 1 && meant.materials.front().diffuseImage >= 0;
+    if (isPicture && read.materials.size() == 1) {  // which may have got another name
+        const QString sourceFolder = sourceFolderOf(what);
+        const QString folder = QFileInfo(path).absolutePath();
+        const Unlikeness difference = PictureComparison(read, meant, sourceFolder, folder)
+                                          .ofTexture(read.materials.front(), meant.materials.front());
+        return difference ? "the file " + *difference : difference;
     }
     return "it names the texture \"" + is + "\" and should name \"" + wanted + '"';
 }

@@ -16,7 +16,8 @@ namespace hitscope {
 [[nodiscard]] std::optional<std::string> materialDifference(const MeshData& read, const MeshExport& what,
                                                             const QString& path);
 
-/// The picture that a PLY names in its header.
-[[nodiscard]] std::optional<std::string> textureDifference(const MeshData& read, const MeshData& meant);
+/// The picture that a PLY names in its header: the same, or of the same name where it is not shown.
+[[nodiscard]] std::optional<std::string> textureDifference(const MeshData& read, const MeshExport& what,
+                                                           const QString& path);
 
 }  // namespace hitscope

@@ -177,16 +177,14 @@ private:
 }  // namespace
 
 std::vector<Material> parseMtl(const std::string& text, QStringList* others) {
-    std::string unixText = text;
-    std::erase(unixText, '\r');
-    std::erase(unixText, '\0');
+    const std::string plain = mtlText(text);
     std::map<std::string, int> index;
     std::vector<tinyobj::material_t> parsed;
     std::string warning;
     std::string error;
-    std::istringstream stream(withPlainMaps(unixText));
+    std::istringstream stream(withPlainMaps(plain));
     tinyobj::LoadMtl(&index, &parsed, &stream, &warning, &error);
-    const std::vector<Given> given = givenOf(unixText);
+    const std::vector<Given> given = givenOf(plain);
     std::vector<Material> materials;
     for (std::size_t m = 0; m < parsed.size(); ++m) {
         if (m < given.size()) {  // a file without newmtl gives one nameless material
@@ -215,8 +213,16 @@ QStringList readMaterialLibraries(ImportedMesh& imported, const QString& folder)
                     .arg(name);
             continue;
         }
-        for (const Material& material : parseMtl(file.readAll().toStdString(), &others)) {
+        QStringList otherNames;
+        for (Material& material : parseMtl(file.readAll().toStdString(), &otherNames)) {
+            for (std::string* texture :
+                 {&material.diffuseTexture, &material.normalMap.texture, &material.metalRoughness.texture}) {
+                *texture = textureOfLibrary(folder, name, *texture);
+            }
             merger.add(material);
+        }
+        for (const QString& other : otherNames) {
+            others << QString::fromStdString(textureOfLibrary(folder, name, other.toStdString()));
         }
     }
     if (const QStringList missing = merger.missing(); !missing.isEmpty()) {

@@ -54,11 +54,13 @@ struct PlyOptions {
     bool displacement = true;  ///< dx, dy, dz: float, in the file's unit
     bool length = true;        ///< displacement: float, in the file's unit
     bool hits = true;          ///< hits: uint, where they are known
+    bool isAlone = false;      ///< no note of the picture beside it
 };
 
 /// Where the mesh came from a PLY file that still has the same vertices and faces, that file is written again
 /// with all that is in it: only x, y and z of vertices that moved, and nx, ny and nz where the normal turned,
 /// are replaced, in their own types, and the new properties come last. Else the mesh is written in full.
+/// The picture of its one texture is copied beside it.
 [[nodiscard]] Result<QStringList> exportPly(const MeshExport& what, const QString& path,
                                             const PlyOptions& options = {});
 

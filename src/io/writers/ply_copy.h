@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <unordered_map>
+#include <utility>
 
 #include "io/writers/file_positions.h"
 #include "io/writers/piece_writer.h"
@@ -26,6 +27,8 @@ public:
     /// check() failed since its coordinates are whole numbers, and the mesh is elsewhere now, in metres.
     [[nodiscard]] bool isTooCoarse() const { return m_isTooCoarse; }
     [[nodiscard]] bool isGivenUp() const { return m_isGivenUp; }
+    /// The texture is called so in the copy. Empty: as in the source.
+    void setTexture(std::string name) { m_texture = std::move(name); }
     /// After check().
     void write(PieceWriter& out);
     [[nodiscard]] QStringList notes() const;
@@ -66,6 +69,7 @@ private:
     QFile m_file;
     PlyHeader m_header;
     std::string m_headerText;
+    std::string m_texture;
     const PlyElement* m_vertices = nullptr;
     std::uint64_t m_before = 0;  ///< records of the elements before the one at hand
     std::uint64_t m_all = 0;     ///< records of all elements

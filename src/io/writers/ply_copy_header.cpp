@@ -125,6 +125,10 @@ std::string PlyCopy::newHeader() const {
             header += std::string("format ") + nameOf(m_values.encoding()) + " 1.0\n";
             continue;
         }
+        if (keyword == "comment" && !m_texture.empty() && words.word() == "TextureFile") {
+            header += "comment TextureFile " + m_texture + (line.ends_with('\r') ? "\r\n" : "\n");
+            continue;
+        }
         element += keyword == "element" ? 1 : 0;
         header += element < 0 && isStray(keyword) ? "comment " : "";
         header += whole;

@@ -2,8 +2,10 @@
 #include <QFileInfo>
 #include <algorithm>
 #include <new>
+#include <utility>
 
 #include "core/give_up.h"
+#include "io/export_files.h"
 #include "io/export_names.h"
 #include "io/writers/coordinate_check.h"
 #include "io/writers/line_segments.h"
@@ -40,12 +42,19 @@ std::vector<std::uint32_t> oneNormalPerVertex(const MeshData& mesh, std::span<co
     return normals.empty() ? std::vector<std::uint32_t>() : first;
 }
 
+bool hasMoreThanTexture(const Material& material) {
+    return material.diffuse != glm::vec3(1.0f) || material.opacity != 1.0f ||
+           !material.normalMap.texture.empty() || material.normalMap.image >= 0 ||
+           material.metalRoughness.isGiven();
+}
+
 /// A mesh as a PLY file of its own.
 class WholePly {
 public:
-    WholePly(const MeshExport& what, const PlyOptions& options)
+    WholePly(const MeshExport& what, const PlyOptions& options, std::string texture)
         : m_what(what),
           m_mesh(*what.mesh),
+          m_texture(std::move(texture)),
           m_positions(what),
           m_values(options.encoding == PlyOptions::Encoding::Ascii ? PlyEncoding::Ascii
                                                                    : PlyEncoding::LittleEndian),
@@ -78,6 +87,7 @@ private:
 
     const MeshExport& m_what;
     const MeshData& m_mesh;
+    std::string m_texture;  ///< as the file names it; empty: there is none
     FilePositions m_positions;
     PlyValues m_values;
     PlyAdded m_added;
@@ -92,9 +102,8 @@ private:
 std::string WholePly::header() const {
     std::string text = std::string("ply\nformat ") + (m_values.isAscii() ? "ascii" : "binary_little_endian") +
                        " 1.0\ncomment Written by Hitscope " HITSCOPE_VERSION "\n";
-    if (m_mesh.materials.size() == 1 && !m_mesh.cornerTexcoords.empty()) {
-        const std::string texture = nameOnLine(m_mesh.materials.front().diffuseTexture);
-        text += texture.empty() ? std::string() : "comment TextureFile " + texture + '\n';
+    if (!m_texture.empty() && !m_mesh.cornerTexcoords.empty()) {
+        text += "comment TextureFile " + m_texture + '\n';
     }
     const auto add = [&text](PlyType type, std::initializer_list<const char*> names) {
         for (const char* const name : names) {
@@ -204,14 +213,82 @@ QStringList WholePly::notes() const {
             "A vertex of a PLY file has one normal, and here some have several: "
             "normals are left out.");
     }
-    const bool hasTexture = m_mesh.materials.size() == 1 && !m_mesh.materials.front().diffuseTexture.empty();
-    if (m_mesh.materials.size() > (hasTexture ? 1u : 0u)) {
+    if (m_texture.empty() ? !m_mesh.materials.empty() : m_mesh.materials.size() > 1) {
         notes += QStringLiteral("PLY has no materials; they are left out.");
+    } else if (!m_texture.empty() && hasMoreThanTexture(m_mesh.materials.front())) {
+        notes += QStringLiteral("PLY has the texture of a material alone; its other values are left out.");
     }
     if (!m_mesh.groups.empty()) {
         notes += QStringLiteral("PLY has no groups; they are left out.");
     }
+    if (!m_mesh.points.empty()) {
+        notes += QStringLiteral("PLY has no point elements; they are left out.");
+    }
     return notes;
+}
+
+/// Why the source could not be copied.
+QString whyAnew(const PlyCopy& copy, const QString& sourcePath) {
+    const QString name = QFileInfo(sourcePath).fileName();
+    return copy.isTooCoarse()
+               ? QStringLiteral(
+                     "The file %1 has whole numbers for coordinates, too coarse for metres: the "
+                     "mesh is written in full, without what else is in that file.")
+                     .arg(name)
+               : QStringLiteral(
+                     "The file %1 is not as it was when it was opened (%2): the mesh is written "
+                     "in full, without what else is in that file.")
+                     .arg(name, copy.whyNot());
+}
+
+/// The PLY file that the mesh is in as it was read.
+bool hasSource(const MeshExport& what) {
+    return what.mesh->isAsRead() && what.inFile().sourceHash != 0 &&
+           QFileInfo(what.sourcePath).suffix().compare(QStringLiteral("ply"), Qt::CaseInsensitive) == 0;
+}
+
+/// What the file calls its one texture, whose picture is staged beside it; empty: it has none.
+Result<std::string> stageTexture(const MeshExport& what, const QFileInfo& file, StagedFiles& staged) {
+    if (what.mesh->materials.size() != 1) {
+        return std::string();
+    }
+    const QString folder =
+        !what.sourcePath.isEmpty() ? QFileInfo(what.sourcePath).absolutePath() : what.sourceFolder;
+    const ExportPlace place{folder, file.absolutePath(), file.completeBaseName()};
+    const Material& material = what.mesh->materials.front();
+    Result<std::string> name =
+        MaterialFiles(*what.mesh, place, staged).placeTexture(material.diffuseTexture, material.diffuseImage);
+    return name ? Result<std::string>(nameOnLine(name.value())) : name;
+}
+
+/// Notes, or why it could not be written.
+Result<QStringList> write(const MeshExport& what, const QString& path, const PlyOptions& options) {
+    StagedFiles staged(what.beforeStep);
+    Result<std::string> texture = stageTexture(what, QFileInfo(path), staged);
+    if (!texture) {
+        return texture.error();
+    }
+    QStringList notes;
+    const auto writeAs = [&](const auto& put, const QStringList& own) -> Result<QStringList> {
+        Status written = stageInPieces(what, path, staged, StagedFiles::Existing::Replace, put);
+        written = written ? staged.commit() : written;
+        return written ? Result<QStringList>(notes + own +
+                                             (options.isAlone ? QStringList() : staged.noteOfOthers(path)))
+                       : Result<QStringList>(written.error());
+    };
+    if (hasSource(what)) {
+        PlyCopy copy(what, options);
+        copy.setTexture(texture.value());
+        if (copy.check()) {
+            return writeAs([&copy](PieceWriter& out) { copy.write(out); }, copy.notes());
+        }
+        if (copy.isGivenUp()) {
+            return cancelledAt(path);
+        }
+        notes += whyAnew(copy, what.sourcePath);
+    }
+    const WholePly whole(what, options, std::move(texture).value());
+    return writeAs([&whole](PieceWriter& out) { whole.write(out); }, whole.notes());
 }
 
 }  // namespace
@@ -224,33 +301,7 @@ Result<QStringList> exportPly(const MeshExport& what, const QString& path, const
         return fits.error();
     }
     try {
-        QStringList notes;
-        const bool isPly =
-            QFileInfo(what.sourcePath).suffix().compare(QStringLiteral("ply"), Qt::CaseInsensitive) == 0;
-        if (isPly && what.mesh->isAsRead()) {
-            PlyCopy copy(what, options);
-            if (copy.check()) {
-                const Status written =
-                    writeInPieces(what, path, [&copy](PieceWriter& out) { copy.write(out); });
-                return written ? Result<QStringList>(copy.notes()) : Result<QStringList>(written.error());
-            }
-            if (copy.isGivenUp()) {
-                return cancelledAt(path);
-            }
-            const QString name = QFileInfo(what.sourcePath).fileName();
-            notes += copy.isTooCoarse()
-                         ? QStringLiteral(
-                               "The file %1 has whole numbers for coordinates, too coarse for metres: the "
-                               "mesh is written in full, without what else is in that file.")
-                               .arg(name)
-                         : QStringLiteral(
-                               "The file %1 is not as it was when it was opened (%2): the mesh is written in "
-                               "full, without what else is in that file.")
-                               .arg(name, copy.whyNot());
-        }
-        const WholePly whole(what, options);
-        const Status written = writeInPieces(what, path, [&whole](PieceWriter& out) { whole.write(out); });
-        return written ? Result<QStringList>(notes + whole.notes()) : Result<QStringList>(written.error());
+        return write(what, path, options);
     } catch (const std::bad_alloc&) {
         return noMemoryFor(path);
     }

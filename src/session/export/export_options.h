@@ -44,7 +44,7 @@ struct ExportOptions {
     std::size_t steps = 0;  ///< glTF: shapes on the way, at most so many; 0: none
     MorphUnit stepOf = MorphUnit::Hit;  ///< what a step holds at least
     bool readBack = false;              ///< read the file afterwards and hold it against what was meant
-    bool isAlone = false;               ///< OBJ: nobody gets the files beside it, of which no note tells
+    bool isAlone = false;               ///< nobody gets the files beside it, of which no note tells
 };
 
 /// What an export will amount to. `hits`: that made what is shown; the size of the steps between follows from

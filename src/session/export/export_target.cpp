@@ -284,9 +284,11 @@ Result<QStringList> writeMesh(const MeshExport& mesh, const CornerNormalView& no
         case ExportFormat::Obj:
             break;
         case ExportFormat::Ply:
-            return exportPly(mesh, path, {.encoding = PlyOptions::Encoding::Binary});
+            return exportPly(mesh, path,
+                             {.encoding = PlyOptions::Encoding::Binary, .isAlone = options.isAlone});
         case ExportFormat::PlyAscii:
-            return exportPly(mesh, path, {.encoding = PlyOptions::Encoding::Ascii});
+            return exportPly(mesh, path,
+                             {.encoding = PlyOptions::Encoding::Ascii, .isAlone = options.isAlone});
         case ExportFormat::Stl:
             return exportStl(mesh, path);
         case ExportFormat::Glb:
