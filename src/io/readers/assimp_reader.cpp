@@ -7,28 +7,23 @@
 #include <assimp/importerdesc.h>
 
 #include <QFileInfo>
+#include <QRegularExpression>
 #include <algorithm>
 #include <assimp/IOSystem.hpp>
 #include <assimp/Importer.hpp>
 #include <assimp/ProgressHandler.hpp>
-#include <cmath>
-#include <glm/mat3x3.hpp>
-#include <glm/mat4x4.hpp>
-#include <glm/matrix.hpp>
 #include <new>
 #include <sstream>
 
-#include "core/finite.h"
 #include "io/readers/assimp_check.h"
 #include "io/readers/assimp_files.h"
 #include "io/readers/assimp_materials.h"
-#include "io/readers/assimp_morphs.h"
 #include "io/readers/dae_check.h"
 #include "io/readers/fbx_check.h"
 #include "io/readers/gltf_numbers.h"
 #include "io/readers/gltf_prepare.h"
+#include "io/readers/scene_merger.h"
 #include "io/readers/tidy.h"
-#include "io/welder.h"
 
 namespace hitscope {
 namespace {
@@ -47,191 +42,6 @@ private:
     const ProgressSink& m_sink;
 };
 
-glm::dmat4 toGlm(const aiMatrix4x4& m) {
-    return glm::dmat4(m.a1, m.b1, m.c1, m.d1, m.a2, m.b2, m.c2, m.d2, m.a3, m.b3, m.c3, m.d3, m.a4, m.b4,
-                      m.c4, m.d4);
-}
-
-/// Moves, turns, scales and shears; a matrix whose last row is not 0 0 0 1 would divide, at worst by zero.
-bool isPlacement(const glm::dmat4& m) {
-    constexpr double kNear = 1e-3;
-    const auto isNear = [](double value, double wanted) { return std::abs(value - wanted) <= kNear; };
-    for (int column = 0; column < 4; ++column) {
-        if (!isFinite(m[column]) || !isNear(m[column].w, column == 3 ? 1.0 : 0.0)) {
-            return false;
-        }
-    }
-    return true;
-}
-
-/// How a format's meshes are taken over.
-struct Merging {
-    bool weld = false;   ///< vertices at the same place are one
-    bool morph = false;  ///< by the weights of the file
-};
-
-/// Adds instances of Assimp's meshes to one MeshData.
-class SceneMerger {
-public:
-    SceneMerger(const aiScene& scene, ImportedMesh& imported, Merging how)
-        : m_scene(scene), m_imported(imported), m_how(how), m_welder(imported.mesh.positions) {}
-
-    Status merge();
-    [[nodiscard]] bool hasMorphed() const { return m_hasMorphed; }
-
-private:
-    Status addInstance(const aiMesh& mesh, const std::string& name, const glm::dmat4& transform);
-    void addVertices(const aiMesh& mesh, const glm::dmat4& transform);
-    Status addFaces(const aiMesh& mesh, bool mirrored);
-    void addColours(const aiMesh& mesh);
-    [[nodiscard]] std::uint32_t attributeIndex(bool has, std::size_t base, unsigned index) const {
-        return has ? static_cast<std::uint32_t>(base + index) : kNoIndex;
-    }
-
-    const aiScene& m_scene;
-    ImportedMesh& m_imported;
-    MeshData& m_mesh = m_imported.mesh;
-    Merging m_how;
-    bool m_hasMorphed = false;
-    Welder<> m_welder;
-    std::vector<std::uint32_t> m_vertexOf;  ///< of the mesh being added: its vertex -> ours
-    std::size_t m_texcoordBase = 0;
-    std::size_t m_normalBase = 0;
-    std::vector<glm::vec3> m_colours;
-    bool m_anyColour = false;
-};
-
-void SceneMerger::addVertices(const aiMesh& mesh, const glm::dmat4& transform) {
-    const glm::dmat3 forNormals = glm::transpose(glm::inverse(glm::dmat3(transform)));
-    const bool moved = transform != glm::dmat4(1.0);
-    m_welder.startAnew();
-    m_vertexOf.clear();
-    m_texcoordBase = m_mesh.texcoords.size();
-    m_normalBase = m_mesh.normals.size();
-    const MorphedMesh shape(mesh, m_how.morph);
-    m_hasMorphed = m_hasMorphed || shape.isMorphed();
-    for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
-        const glm::vec3 p = shape.position(v);
-        const glm::vec3 position = moved ? glm::vec3(transform * glm::dvec4(p, 1.0)) : p;
-        if (m_how.weld) {
-            m_vertexOf.push_back(m_welder.index(position));
-        } else {
-            m_vertexOf.push_back(static_cast<std::uint32_t>(m_mesh.positions.size()));
-            m_mesh.positions.push_back(position);
-        }
-        if (mesh.HasNormals()) {
-            const glm::vec3 n = shape.normal(v);
-            const glm::dvec3 turned = forNormals * glm::dvec3(n);
-            m_mesh.normals.push_back(moved ? glm::vec3(glm::normalize(turned)) : n);
-        }
-        if (mesh.HasTextureCoords(0)) {
-            m_mesh.texcoords.emplace_back(mesh.mTextureCoords[0][v].x, mesh.mTextureCoords[0][v].y);
-        }
-    }
-    addColours(mesh);
-}
-
-void SceneMerger::addColours(const aiMesh& mesh) {
-    m_colours.resize(m_mesh.positions.size(), glm::vec3(1.0f));
-    for (unsigned v = 0; mesh.HasVertexColors(0) && v < mesh.mNumVertices; ++v) {
-        const aiColor4D& colour = mesh.mColors[0][v];
-        m_colours[m_vertexOf[v]] = {colour.r, colour.g, colour.b};
-        m_anyColour = true;
-    }
-}
-
-Status SceneMerger::addFaces(const aiMesh& mesh, bool mirrored) {
-    for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
-        const aiFace& face = mesh.mFaces[f];
-        for (unsigned i = 0; i < face.mNumIndices; ++i) {
-            if (face.mIndices[i] >= mesh.mNumVertices) {
-                return Error{"It refers to vertex " + std::to_string(face.mIndices[i]) +
-                                 " (counted from 0), but there are only " +
-                                 std::to_string(mesh.mNumVertices) + ".",
-                             "face " + std::to_string(f + 1) + " of \"" + mesh.mName.C_Str() + "\"",
-                             "Write the file again with the program it came from."};
-            }
-        }
-        if (face.mNumIndices == 1) {
-            m_mesh.points.push_back(m_vertexOf[face.mIndices[0]]);
-        } else if (face.mNumIndices == 2) {
-            m_mesh.lines.push_back({m_vertexOf[face.mIndices[0]], m_vertexOf[face.mIndices[1]]});
-        }
-        if (face.mNumIndices < 3) {
-            continue;
-        }
-        for (unsigned i = 0; i < face.mNumIndices; ++i) {
-            const unsigned corner = face.mIndices[mirrored ? face.mNumIndices - 1 - i : i];
-            m_mesh.cornerVertices.push_back(m_vertexOf[corner]);
-            m_mesh.cornerTexcoords.push_back(
-                attributeIndex(mesh.HasTextureCoords(0), m_texcoordBase, corner));
-            m_mesh.cornerNormals.push_back(attributeIndex(mesh.HasNormals(), m_normalBase, corner));
-        }
-        if (m_mesh.cornerVertices.size() >= kNoIndex) {
-            return Error{"The mesh has more face corners than Hitscope can count (4,294,967,294).",
-                         {},
-                         "Split the mesh into smaller files."};
-        }
-        m_mesh.faceStarts.push_back(static_cast<std::uint32_t>(m_mesh.cornerVertices.size()));
-        m_mesh.faceMaterials.push_back(mesh.mMaterialIndex < m_scene.mNumMaterials ? mesh.mMaterialIndex
-                                                                                   : kNoIndex);
-    }
-    return Done{};
-}
-
-Status SceneMerger::addInstance(const aiMesh& mesh, const std::string& name, const glm::dmat4& transform) {
-    if (!mesh.HasPositions()) {
-        return Done{};
-    }
-    m_mesh.groups.push_back(
-        {FaceGroup::Kind::Object, name, static_cast<std::uint32_t>(m_mesh.faceStarts.size() - 1)});
-    addVertices(mesh, transform);
-    const bool mirrored = glm::determinant(glm::dmat3(transform)) < 0.0;
-    return addFaces(mesh, mirrored);
-}
-
-/// Nodes are walked with a stack of our own: a file can nest them deeper than a thread's stack.
-Status SceneMerger::merge() {
-    struct Visit {
-        const aiNode* node;
-        glm::dmat4 parent;
-    };
-    m_mesh.faceStarts.push_back(0);
-    std::vector<Visit> open{{m_scene.mRootNode, glm::dmat4(1.0)}};
-    while (!open.empty()) {
-        const Visit visit = open.back();
-        open.pop_back();
-        const glm::dmat4 transform = visit.parent * toGlm(visit.node->mTransformation);
-        if (!isPlacement(transform)) {
-            return Error{
-                "Its matrix does not place anything: its last row is not 0 0 0 1, or not of numbers.",
-                "node \"" + std::string(visit.node->mName.C_Str()) + "\"",
-                "Write the file again with the program it came from."};
-        }
-        for (unsigned i = 0; i < visit.node->mNumMeshes; ++i) {
-            const unsigned index = visit.node->mMeshes[i];
-            if (index >= m_scene.mNumMeshes) {
-                continue;
-            }
-            const aiMesh& mesh = *m_scene.mMeshes[index];
-            const aiString& name = visit.node->mName.length > 0 ? visit.node->mName : mesh.mName;
-            if (Status added = addInstance(mesh, name.C_Str(), transform); !added) {
-                return added;
-            }
-        }
-        for (unsigned i = visit.node->mNumChildren; i > 0; --i) {
-            open.push_back({visit.node->mChildren[i - 1], transform});
-        }
-    }
-    if (m_mesh.faceStarts.size() == 1) {
-        m_mesh.faceStarts.clear();
-    }
-    if (m_anyColour) {
-        setColours(m_mesh, std::move(m_colours));
-    }
-    return Done{};
-}
-
 void noteWhatIsLeftOut(const aiScene& scene, bool hasMorphed, ImportedMesh& imported) {
     bool hasBones = false;
     bool hasMorphs = false;
@@ -245,6 +55,31 @@ void noteWhatIsLeftOut(const aiScene& scene, bool hasMorphed, ImportedMesh& impo
     if (hasBones || scene.HasAnimations() || (hasMorphs && !hasMorphed)) {
         imported.notes += hasMorphed ? QStringLiteral("Animations and bones were left out.")
                                      : QStringLiteral("Animations, bones and morph targets were left out.");
+    }
+}
+
+/// Assimp makes metres, and y up, of what two formats say.
+void noteConversion(const std::string& suffix, std::string_view content, ImportedMesh& imported) {
+    if (suffix == "3ds") {
+        imported.notes += QStringLiteral("z points up in the file: the mesh was turned, so that y does.");
+    }
+    if (suffix != "dae") {
+        return;
+    }
+    constexpr std::size_t kHead = 65'536;  // bytes: the asset comes first
+    const auto length = static_cast<qsizetype>(std::min(content.size(), kHead));
+    const QString head = QString::fromUtf8(content.data(), length);
+    static const QRegularExpression unit(QStringLiteral("<unit\\b[^>]*\\bmeter\\s*=\\s*[\"']([^\"']*)[\"']"));
+    static const QRegularExpression up(QStringLiteral("<up_axis>\\s*([XZ])_UP\\s*<"));
+    bool isNumber = false;
+    const double metres = unit.match(head).captured(1).trimmed().toDouble(&isNumber);
+    if (isNumber && metres > 0.0 && metres != 1.0) {
+        imported.notes +=
+            QStringLiteral("The file's unit is %1 m: its coordinates were converted to metres.").arg(metres);
+    }
+    if (const QString axis = up.match(head).captured(1).toLower(); !axis.isEmpty()) {
+        imported.notes +=
+            QStringLiteral("%1 points up in the file: the mesh was turned, so that y does.").arg(axis);
     }
 }
 
@@ -371,6 +206,7 @@ Result<ImportedMesh> readWithAssimp(const QString& path, std::string_view conten
         nameTexturesOfUris(info.absolutePath(), imported.mesh);
     }
     imported.notes += gltf.notes;
+    noteConversion(suffix, content, imported);
     noteWhatIsLeftOut(*scene, merger.hasMorphed(), imported);
     tidy(imported);
     return imported;

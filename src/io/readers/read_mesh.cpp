@@ -121,7 +121,8 @@ Result<ImportedMesh> readMesh(const QString& path, const ProgressSink& progress)
     if (const Status usable = checkSurface(imported.value().mesh, info.suffix()); !usable) {
         return withPlace(usable.error(), path);
     }
-    imported.value().mesh.name = info.completeBaseName().toStdString();
+    const QString name = info.completeBaseName();  // which ".obj" has none of
+    imported.value().mesh.name = (name.isEmpty() ? info.fileName() : name).toStdString();
     if (progress) {
         progress(1.0, "Reading materials and textures");
     }

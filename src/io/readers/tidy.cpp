@@ -135,7 +135,9 @@ void setColours(MeshData& mesh, std::vector<glm::vec3> colours) {
 void turnColoursToSrgb(MeshData& mesh) {
     for (glm::vec3& colour : mesh.colours) {
         for (int i = 0; i < 3; ++i) {
-            colour[i] = std::clamp(srgbOfLinear(colour[i]), 0.0f, 1.0f);
+            // Of float 1 is less than 1.
+            colour[i] =
+                std::clamp(static_cast<float>(srgbOfLinear(static_cast<double>(colour[i]))), 0.0f, 1.0f);
         }
     }
 }
