@@ -88,9 +88,13 @@ std::optional<Number> numberIn(std::string_view text) {
     return value;
 }
 
-/// Overflow and infinity are refused.
+/// Overflow and infinity are refused; what is too small for a float is 0.
 std::optional<float> floatIn(std::string_view text) {
-    const std::optional<float> value = numberIn<float>(text);
+    std::optional<float> value = numberIn<float>(text);
+    const std::optional<double> wide = value ? std::nullopt : numberIn<double>(text);
+    if (wide && std::abs(*wide) < 1.0) {
+        value = static_cast<float>(*wide);
+    }
     return value && std::isfinite(*value) ? value : std::nullopt;
 }
 

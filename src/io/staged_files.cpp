@@ -32,6 +32,15 @@ Error cannotSave(const QString& path, int reason) {
             "Choose a folder that exists, that you may write to and that has room."};
 }
 
+/// Of a file's name what leaves room for more in a name on the disk, which has 255 bytes.
+QString shortened(QString name) {
+    constexpr qsizetype kMostBytes = 200;
+    while (QFile::encodeName(name).size() > kMostBytes) {
+        name.chop(name.size() > 1 && name.back().isLowSurrogate() ? 2 : 1);
+    }
+    return name;
+}
+
 /// All that can be read, `most` bytes at most; false with errno for more, or where it fails.
 bool copyAll(int from, int to, qint64 most) {
     std::vector<char> piece(kPiece);
@@ -236,7 +245,7 @@ Status StagedFiles::fill(const QString& path, Existing existing, unsigned mode,
         return cannotSave(path, errno);
     }
     const QString hidden = QStringLiteral("%1/.%2.%3")
-                               .arg(info.absolutePath(), info.fileName().left(200),
+                               .arg(info.absolutePath(), shortened(info.fileName()),
                                     QString::number(QRandomGenerator::system()->generate64(), 36));
     step();
     const QByteArray temporary = QFile::encodeName(hidden);

@@ -111,7 +111,7 @@ private Q_SLOTS:
     void handWritten() {
         const std::string text =
             std::string("\xef\xbb\xbf") + kHeader +
-            "\"A \"\"b\"\", c\",1,2.5,-3e-1,0,0,-2,,,\r\n\r\nB,0,0,0,1,0,0,0.25,reference,0";
+            "\"A \"\"b\"\", c\",1,2.5,-3e-1,0,0,-2,,,\r\n\r\nB,0,1e-50,0,1,0,0,0.25,reference,0";
         const Result<HitRecords> read = readHitRecords(text, kPipelines);
         QVERIFY2(read.ok(), read.ok() ? "" : read.error().message().c_str());
         const std::vector<Hit>& hits = read.value().hits;
@@ -121,6 +121,7 @@ private Q_SLOTS:
         QVERIFY(hits[0].constants == DeformationConstants());
         QVERIFY(hits[0].enabled);
         QVERIFY(!hits[1].enabled);
+        QVERIFY(hits[1].point == glm::vec3(0.0f));  // too small for a float
         QCOMPARE(hits[1].constants.maxDistance, 0.25f);
         QCOMPARE(hits[1].pipeline, std::uint8_t{1});
         QCOMPARE(read.value().targets.at(hits[0].target), std::string("A \"b\", c"));

@@ -11,6 +11,7 @@
 #include <QOpenGLContext>
 #include <QScopeGuard>
 #include <QScreen>
+#include <QSettings>
 #include <QSignalSpy>
 #include <QStatusBar>
 #include <algorithm>
@@ -254,6 +255,7 @@ void ContextTest::windowTricksLoseNothing() {
 /// At first; at twice the scale the tests' screen is a small one.
 void ContextTest::windowFitsTheScreen() {
     Session session;
+    QSettings().clear();  // the other window may have noted its size
     MainWindow window(session);
     const QSize screen = window.screen()->availableSize();
     QVERIFY2(window.width() <= screen.width() && window.height() <= screen.height(),
@@ -324,12 +326,15 @@ void ContextTest::idleDrawsNothing() {
     Viewport& viewport = m_window->viewport();
     viewport.frameAll();  // a glide ends, and then nothing more is drawn
     QTRY_VERIFY_WITH_TIMEOUT(!viewport.navigation().isMoving(), kPatience);
-    // Until a whole while has passed without a frame.
+    // On a busy machine the last frames may come late; but some time none come.
     const QSignalSpy frames(&viewport.pictures(), &PictureFlow::framePainted);
+    QElapsedTimer patience;
+    patience.start();
     qsizetype last = -1;
-    QTRY_VERIFY_WITH_TIMEOUT((last == frames.size()) || ((last = frames.size()), QTest::qWait(400), false),
-                             kPatience);
-    QTest::qWait(1500);
+    while (last != frames.size() && patience.elapsed() < kPatience) {
+        last = frames.size();
+        QTest::qWait(3000);
+    }
     QCOMPARE(frames.size(), last);
 }
 

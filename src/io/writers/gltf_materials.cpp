@@ -163,7 +163,7 @@ Status GltfMaterials::convert(const Material& material) {
     }
     result[QStringLiteral("pbrMetallicRoughness")] = surface;
     if (!material.name.empty()) {
-        result[QStringLiteral("name")] = QString::fromStdString(material.name);
+        result[QStringLiteral("name")] = fileNameText(material.name);
     }
     m_materials.append(result);
     return added;

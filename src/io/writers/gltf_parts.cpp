@@ -81,13 +81,13 @@ void GltfParts::addNode(std::uint32_t object) {
     for (const GltfPrimitive* const primitive : primitives) {
         list.append(primitiveOf(*primitive, targets));
     }
-    const QString name = QString::fromStdString(m_layout.objects[object]);
+    const QString name = fileNameText(m_layout.objects[object]);
     QJsonObject mesh{{QStringLiteral("name"), name}, {QStringLiteral("primitives"), list}};
     if (isMorphed) {
         QJsonArray names;
         QJsonArray weights;
         for (const MorphTarget* const target : targets) {
-            names.append(QString::fromStdString(target->name));
+            names.append(fileNameText(target->name));
             weights.append(target == &m_deformed ? 1.0 : 0.0);
         }
         mesh[QStringLiteral("weights")] = weights;
