@@ -46,8 +46,12 @@ public:
 
     void add(const Target& target, std::span<const std::uint32_t> hits) {
         m_report.beginObject().text("name", target.name).beginArray("vertices");
+        const FilePositions positions(target.deformed.original(), target.deformed.positions());
+        const bool areFloats = positions.fitFloats();  // as an export has them
         for (const std::uint32_t vertex : changedVertices(target)) {
-            add(target, vertex, hits.empty() ? 0 : hits[vertex]);
+            const std::uint32_t reached = hits.empty() ? 0 : hits[vertex];
+            areFloats ? add<glm::vec3>(target, vertex, reached, positions)
+                      : add<glm::dvec3>(target, vertex, reached, positions);
         }
         m_report.endArray().endObject();
     }
@@ -58,23 +62,12 @@ public:
     }
 
 private:
-    void add(const Target& target, std::uint32_t vertex, std::uint32_t hits) {
-        const VertexFacts facts = vertexFacts(target.deformed, vertex);
-        const MeshData& mesh = target.deformed.original();
-        if (mesh.placement.isIdentity()) {
-            add(target, vertex, hits, facts, std::array{facts.original, facts.current, facts.displacement});
-            return;
-        }
-        // As an export has them.
-        const FilePositions file(mesh, target.deformed.positions());
-        add(target, vertex, hits, facts,
-            std::array{file.original(vertex), file.now(vertex), file.displacement(vertex)});
-    }
-
-    /// vectors: original, current, displacement, in the file's coordinates.
+    /// Vectors in the file's coordinates, of floats where these hold all of them.
     template <typename Vector>
-    void add(const Target& target, std::uint32_t vertex, std::uint32_t hits, const VertexFacts& facts,
-             const std::array<Vector, 3>& vectors) {
+    void add(const Target& target, std::uint32_t vertex, std::uint32_t hits, const FilePositions& positions) {
+        const VertexFacts facts = vertexFacts(target.deformed, vertex);
+        const std::array vectors{Vector(positions.original(vertex)), Vector(positions.now(vertex)),
+                                 Vector(positions.displacement(vertex))};
         const double turned = glm::degrees(facts.turned);
         const double length = facts.length / target.deformed.original().placement.scale;
         m_csv.text(target.name.toStdString()).count(std::uint64_t{vertex} + 1);

@@ -158,6 +158,29 @@ private Q_SLOTS:
         QVERIFY2(text.out.contains(QStringLiteral("In the scene it is moved by")), qPrintable(text.out));
     }
 
+    /// Of a mesh that is not moved, though floats do not hold its coordinates.
+    void changesHaveAllDigitsOfTheFile() {
+        const QString mesh = writeBytes(in("fine.obj"), sheetObj(0.523456789, 1.0));
+        const CliRun shot = runCli(
+            {"shoot", "--at", "0.7,0.4,0", "--max-distance", "2", "--session", in("fine.hitscope"), mesh});
+        QVERIFY2(shot.out.contains(QStringLiteral("1 shot, 1 hit")), qPrintable(shot.out + shot.err));
+        const CliRun changes = runCli({"changes", in("fine.hitscope")});
+        QVERIFY2(changes.err.isEmpty(), qPrintable(changes.err));
+        QVERIFY2(changes.out.contains(QStringLiteral(",0.523456789,0.25,0,0.523456789,")),
+                 qPrintable(changes.out));
+        const QStringList rows = changes.out.split(u'\n');
+        const QStringList exported =
+            runCli({"export", "--format", "csv", "--out", "-", in("fine.hitscope")}).out.split(u'\n');
+        QCOMPARE(rows.size(), exported.size());
+        for (qsizetype i = 1; i + 1 < rows.size(); ++i) {
+            QCOMPARE(rows[i].split(u',').mid(1, 10), exported[i].split(u',').mid(0, 10));
+        }
+        const QJsonObject report = jsonOf(runCli({"changes", "--json", in("fine.hitscope")}));
+        const QJsonObject first =
+            report["targets"].toArray()[0].toObject()["vertices"].toArray()[0].toObject();
+        QCOMPARE(first["original_m"].toArray()[0].toDouble(), 0.523456789);
+    }
+
     void shotsAtAPlaceComeFromOutside() {
         const QString mesh = writeBytes(in("flat.obj"), sheetObj(0.0, 1.0));
         for (const char* place : {"0.3,0.3,0", "0.3,0.3,-2", "0.3,0.3,-500"}) {
