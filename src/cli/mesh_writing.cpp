@@ -50,6 +50,12 @@ ExportOptions givenWriting(Invocation& given, const QString& path) {
     if (given.isSet("all-normals") && options.format != ExportFormat::Obj) {
         given.complain(QStringLiteral("--all-normals goes with OBJ."));
     }
+    const QString suffix = QString::fromUtf8(traitsOf(options.format).suffix);
+    const bool isOther = !isStandardStream(path) && QFileInfo(path).suffix().toLower() != suffix;
+    if (given.isSet("check") && options.format != ExportFormat::Csv && isOther) {
+        given.complain(QStringLiteral("--check reads the file back by its suffix; name \"%1\" with .%2.")
+                           .arg(path, suffix));
+    }
     if (given.isSet("check") && options.format == ExportFormat::Csv) {
         given.complain(QStringLiteral("--check goes with meshes; CSV is a table."));
     }
@@ -61,6 +67,35 @@ ExportOptions givenWriting(Invocation& given, const QString& path) {
 }
 
 namespace {
+
+/// What was written, as its report has it.
+struct WrittenMesh {
+    QString path;             ///< as it was given; - for the standard output, which no text goes to then
+    std::uint64_t bytes = 0;  ///< without the files beside it
+    const char* format = "";  ///< as --format takes it
+};
+
+Status reportWriting(const Invocation& given, const WrittenMesh& mesh,
+                     const std::vector<const Target*>& targets, const ExportReport& written) {
+    JsonReport report(given.usage().name.toStdString());
+    QStringList names;
+    report.text("file", mesh.path).text("format", QString::fromUtf8(mesh.format));
+    report.count("bytes", mesh.bytes).truth("was_read_back", written.wasReadBack).beginArray("targets");
+    for (const Target* target : targets) {
+        names << target->name;
+        report.text({}, target->name);
+    }
+    report.endArray().beginArray("notes");
+    for (const QString& said : written.notes) {
+        report.text({}, said);
+    }
+    report.endArray();
+    return giveReport(
+        given, report,
+        QStringLiteral("In %1: %2%3\n")
+            .arg(QDir::toNativeSeparators(mesh.path), names.join(QStringLiteral(", ")),
+                 written.wasReadBack ? QStringLiteral("; read back, it is the same") : QString()));
+}
 
 Status copyToOutput(const QString& path) {
     const Result<QByteArray> bytes = readAllOf(path, qint64{1} << 40);
@@ -94,27 +129,13 @@ Outcome writeTargets(Invocation& given, const Session& session, const std::vecto
                 QStringLiteral("note: the mesh refers to files that the standard output has no room for: %1.")
                     .arg(left.join(QStringLiteral(", "))));
         }
-        return copyToOutput(place);
+        if (Status copied = copyToOutput(place); !copied) {
+            return copied;
+        }
     }
-    JsonReport report(given.usage().name.toStdString());
-    QStringList names;
-    report.text("file", path).text("format", QString::fromUtf8(traitsOf(options.format).key));
-    report.count("bytes", static_cast<std::uint64_t>(QFileInfo(path).size()));
-    report.truth("was_read_back", written.value().wasReadBack).beginArray("targets");
-    for (const Target* target : targets) {
-        names << target->name;
-        report.text({}, target->name);
-    }
-    report.endArray().beginArray("notes");
-    for (const QString& said : written.value().notes) {
-        report.text({}, said);
-    }
-    report.endArray();
-    return giveReport(
-        given, report,
-        QStringLiteral("In %1: %2%3\n")
-            .arg(QDir::toNativeSeparators(path), names.join(QStringLiteral(", ")),
-                 written.value().wasReadBack ? QStringLiteral("; read back, it is the same") : QString()));
+    const WrittenMesh mesh{path, static_cast<std::uint64_t>(QFileInfo(place).size()),
+                           traitsOf(options.format).key};
+    return reportWriting(given, mesh, targets, written.value());
 }
 
 }  // namespace hitscope::cli

@@ -3,6 +3,8 @@
 #include <QDir>
 #include <QFile>
 #include <QImage>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QTemporaryDir>
 #include <QTest>
 #include <map>
@@ -162,6 +164,42 @@ private Q_SLOTS:
         const CliRun shot = runCli({"shoot", "--random", "1", "--session", "-", at("mesh.obj")});
         QVERIFY2(shot.status == 0, qPrintable(shot.err));
         QVERIFY2(shot.out.startsWith(u'{') && shot.out.trimmed().endsWith(u'}'), qPrintable(shot.out));
+    }
+
+    void aMeshOnTheStandardOutputHasAReport_data() {
+        QTest::addColumn<QStringList>("command");
+        QTest::newRow("convert") << QStringList{"convert", "--format", "obj", "@mesh.obj", "-"};
+        QTest::newRow("export") << QStringList{"export", "--format", "obj", "--out", "-", "@s.hitscope"};
+    }
+    void aMeshOnTheStandardOutputHasAReport() {
+        QFETCH(QStringList, command);
+        command.replaceInStrings(QStringLiteral("@"), m_folder->path() + u'/');
+        const CliRun plain = runCli(command);
+        const CliRun run = runCli(command + QStringList{"--report", at("r.json")});
+        QVERIFY2(run.status == 0, qPrintable(run.err));
+        QVERIFY(!plain.out.isEmpty());
+        QCOMPARE(run.out, plain.out);
+        const QJsonObject report = QJsonDocument::fromJson(contentOf(at("r.json"))).object();
+        QCOMPARE(report["report"].toString(), command[0]);
+        QCOMPARE(report["file"].toString(), QStringLiteral("-"));
+        QCOMPARE(report["bytes"].toInteger(), plain.out.toUtf8().size());
+    }
+
+    /// A reader goes by the suffix; the standard output has none, and is checked all the same.
+    void checksNeedTheSuffixOfTheFormat() {
+        const CliRun wrong = runCli({"convert", "--format", "stl", "--check", at("mesh.obj"), at("z.obj")});
+        QCOMPARE(wrong.status, 2);
+        QVERIFY2(wrong.err.contains(QStringLiteral("--check reads the file back by its suffix")),
+                 qPrintable(wrong.err));
+        QVERIFY(!QFileInfo::exists(at("z.obj")));
+        const CliRun text =
+            runCli({"convert", "--format", "ply-ascii", "--check", at("mesh.obj"), at("z.PLY")});
+        QVERIFY2(text.status == 0, qPrintable(text.err));
+        const CliRun stream = runCli(
+            {"convert", "--format", "ply-ascii", "--check", "--report", at("r.json"), at("mesh.obj"), "-"});
+        QVERIFY2(stream.status == 0, qPrintable(stream.err));
+        QVERIFY(stream.out.startsWith(QStringLiteral("ply\n")));
+        QVERIFY(QJsonDocument::fromJson(contentOf(at("r.json"))).object()["was_read_back"].toBool());
     }
 
     void aStreamHasNoFilesBesideIt() {
