@@ -211,7 +211,9 @@ Verb demoVerb() {
              .options =
                  QList<UsageOption>{
                      folderOption("out", QStringLiteral("Folder for the results; created if needed."),
-                                  QStringLiteral("hitscope-demo")),
+                                  QStringLiteral("hitscope-demo"),
+                                  {QStringLiteral("before.png"), QStringLiteral("after.png"),
+                                   QStringLiteral("wireframe.png"), QStringLiteral("deformed.obj")}),
                      valueOption("shots", "N", QStringLiteral("Number of shots, 1 to 100000."),
                                  QStringLiteral("50")),
                      valueOption("seed", "NUMBER", QStringLiteral("Seed of the random shots."),

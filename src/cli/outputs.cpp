@@ -21,7 +21,18 @@ namespace {
 struct NamedFile {
     QString as;  ///< in messages: "--out", "MESH"
     QString path;
+    bool isInFolder = false;  ///< of a folder that is named, not itself
 };
+
+/// "--out names", or "--out writes" where nobody gave the file's name.
+QString outputAsNamed(const NamedFile& output) {
+    return output.as + (output.isInFolder ? QStringLiteral(" writes") : QStringLiteral(" names"));
+}
+
+/// What has to be another one, so that no other file is replaced.
+QString wordForPlace(const NamedFile& output) {
+    return output.isInFolder ? QStringLiteral("folder") : QStringLiteral("name");
+}
 
 bool isSameFile(const QString& a, const QString& b) {
     const QFileInfo one(a);
@@ -44,6 +55,9 @@ std::vector<NamedFile> filesOf(const Invocation& given, bool written) {
         const QString path = given.text(option.name.toLatin1().constData());
         if (option.takes == (written ? Takes::Output : Takes::File) && !path.isEmpty()) {
             files.push_back({QStringLiteral("--") + option.name, path});
+        }
+        for (const QString& name : written ? option.writes : QStringList()) {
+            files.push_back({QStringLiteral("--") + option.name, QDir(path).filePath(name), true});
         }
     }
     for (qsizetype i = 0; i < given.files().size(); ++i) {
@@ -126,10 +140,11 @@ std::vector<NamedFile> replacingOutputs() {
 
 /// Of a file that a target of that name refers to.
 Error readAsWell(const NamedFile& output, const QString& target) {
-    return refused({QStringLiteral("%1 names a file of \"%2\", which is read as well.")
-                        .arg(output.as, target)
+    return refused({QStringLiteral("%1 a file of \"%2\", which is read as well.")
+                        .arg(outputAsNamed(output), target)
                         .toStdString(),
-                    output.path.toStdString(), "Take another name for the output."});
+                    output.path.toStdString(),
+                    "Take another " + wordForPlace(output).toStdString() + " for the output."});
 }
 
 }  // namespace
@@ -159,8 +174,8 @@ QString wrongOutputs(const Invocation& given) {
             const bool isUpdate =
                 output.as == QLatin1String("--session") && suffixOf(input.path) == QLatin1String("hitscope");
             if (!isStandardStream(output.path) && !isUpdate && isSameFile(output.path, input.path)) {
-                return QStringLiteral("%1 names %2, which is read as well; take another name for the output.")
-                    .arg(output.as, output.path);
+                return QStringLiteral("%1 %2, which is read as well; take another %3 for the output.")
+                    .arg(outputAsNamed(output), output.path, wordForPlace(output));
             }
         }
         if (const QString wrong = wrongSuffix(output); !wrong.isEmpty()) {

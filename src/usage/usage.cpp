@@ -49,9 +49,11 @@ UsageOption outputOption(const char* name, const QString& help) {
     return option;
 }
 
-UsageOption folderOption(const char* name, const QString& help, const QString& standard) {
+UsageOption folderOption(const char* name, const QString& help, const QString& standard,
+                         const QStringList& writes) {
     UsageOption option = valueOption(name, "FOLDER", help, standard);
     option.takes = UsageOption::Takes::Folder;
+    option.writes = writes;
     return option;
 }
 

@@ -28,6 +28,7 @@ struct UsageOption {
     QString standard;   ///< as one would type it; empty: there is none
     QStringList words;  ///< of Takes::Word, all that may be given; of Takes::Words, separated by commas
     Takes takes = Takes::Nothing;
+    QStringList writes{};  ///< of Takes::Folder: the names of files that are written into it
 
     /// Help, and after it the words and the default.
     [[nodiscard]] QString fullHelp() const;
@@ -43,7 +44,9 @@ struct UsageOption {
 /// One that takes the name of a file to read, of a file to write, or of a folder.
 [[nodiscard]] UsageOption fileOption(const char* name, const QString& help, const QString& standard = {});
 [[nodiscard]] UsageOption outputOption(const char* name, const QString& help);
-[[nodiscard]] UsageOption folderOption(const char* name, const QString& help, const QString& standard = {});
+/// `writes`: the files that are written into the folder, as far as their names are known beforehand.
+[[nodiscard]] UsageOption folderOption(const char* name, const QString& help, const QString& standard = {},
+                                       const QStringList& writes = {});
 /// One that takes one of some words.
 [[nodiscard]] UsageOption wordOption(const char* name, const char* value, const QStringList& words,
                                      const QString& help, const QString& standard = {});

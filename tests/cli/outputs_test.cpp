@@ -166,6 +166,33 @@ private Q_SLOTS:
         QVERIFY2(shot.out.startsWith(u'{') && shot.out.trimmed().endsWith(u'}'), qPrintable(shot.out));
     }
 
+    /// What it writes has names that nobody gives.
+    void demosReplaceNothingThatTheyRead() {
+        QVERIFY(QDir(m_folder->path()).mkdir(QStringLiteral("demo")));
+        const QByteArray mesh = contentOf(at("mesh.obj"));
+        const QDir folder(at("demo"));
+        QString deformed = writeBytes(folder.filePath(QStringLiteral("deformed.obj")), mesh);
+        const CliRun onItself = runCli({"demo", "--shots", "1", "--out", folder.path(), deformed});
+        QCOMPARE(onItself.status, 2);
+        QVERIFY2(
+            onItself.err.contains(QStringLiteral("--out writes %1, which is read as well").arg(deformed)),
+            qPrintable(onItself.err));
+        QCOMPARE(contentOf(deformed), mesh);
+        QVERIFY(QFile::remove(deformed));
+        const QString other = writeBytes(folder.filePath(QStringLiteral("other.obj")),
+                                         QByteArray(mesh).replace("my paint.mtl", "after.mtl"));
+        writeBytes(folder.filePath(QStringLiteral("after.mtl")), "newmtl red\nmap_Kd after.png\n");
+        const QString picture = folder.filePath(QStringLiteral("after.png"));
+        QVERIFY(QFile::copy(at("wood.png"), picture));
+        const CliRun onTexture = runCli({"demo", "--shots", "1", "--out", folder.path(), other});
+        QCOMPARE(onTexture.status, 3);
+        QVERIFY2(onTexture.err.contains(QStringLiteral("which is read as well")), qPrintable(onTexture.err));
+        QCOMPARE(contentOf(picture), contentOf(at("wood.png")));
+        QCOMPARE(folder.entryList(QDir::Files),
+                 (QStringList{QStringLiteral("after.mtl"), QStringLiteral("after.png"),
+                              QStringLiteral("other.obj")}));
+    }
+
     void aMeshOnTheStandardOutputHasAReport_data() {
         QTest::addColumn<QStringList>("command");
         QTest::newRow("convert") << QStringList{"convert", "--format", "obj", "@mesh.obj", "-"};
