@@ -22,7 +22,31 @@
 
 namespace hitscope::cli {
 
-Status takeHits(Session& session, const Result<HitRecords>& table) {
+namespace {
+
+/// As a file has them, or the standard input.
+Result<HitRecords> hitsFrom(const QString& path) {
+    if (!isStandardStream(path)) {
+        return readHitFile(path);
+    }
+    const Result<QByteArray> bytes = readAllOf(path, static_cast<qint64>(kMostRecordBytes));
+    if (!bytes) {
+        return bytes.error();
+    }
+    Result<HitRecords> table = readHitRecords(
+        {bytes.value().constData(), static_cast<std::size_t>(bytes.value().size())}, pipelineKeys());
+    if (!table) {
+        Error error = table.error();
+        error.where = "standard input" + (error.where.empty() ? "" : ", " + error.where);
+        return error;
+    }
+    return table;
+}
+
+}  // namespace
+
+Status takeHits(Session& session, const QString& path) {
+    const Result<HitRecords> table = hitsFrom(path);
     if (!table) {
         return table.error();
     }
@@ -34,22 +58,6 @@ Status takeHits(Session& session, const Result<HitRecords>& table) {
 }
 
 namespace {
-
-Status addHits(Session& session, const QString& path) {
-    if (path.isEmpty()) {
-        return Done{};
-    }
-    if (!isStandardStream(path)) {
-        return takeHits(session, readHitFile(path));
-    }
-    const Result<QByteArray> bytes = readAllOf(path, static_cast<qint64>(kMostRecordBytes));
-    if (!bytes) {
-        return bytes.error();
-    }
-    return takeHits(
-        session, readHitRecords({bytes.value().constData(), static_cast<std::size_t>(bytes.value().size())},
-                                pipelineKeys()));
-}
 
 /// Constants of the hits to come.
 Status setConstants(Session& session, const ShootOptions& options) {
@@ -82,7 +90,7 @@ Status prepare(Session& session, const ShootOptions& options) {
     if (Status set = setConstants(session, options); !set) {
         return set;
     }
-    return addHits(session, options.hitsPath);
+    return options.hitsPath.isEmpty() ? Status(Done{}) : takeHits(session, options.hitsPath);
 }
 
 /// Until all shots have left and what they launched has hit or gone.

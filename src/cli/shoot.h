@@ -53,8 +53,9 @@ struct ShootOptions {
     int samples = 1;      ///< of the picture, as in PictureRequest
 };
 
-/// appendRecords() of what was read, with a note where the hits go to a target of another name.
-[[nodiscard]] Status takeHits(Session& session, const Result<HitRecords>& table);
+/// appendRecords() of a file's hits, or of the standard input's, with a note where they go to a target of
+/// another name.
+[[nodiscard]] Status takeHits(Session& session, const QString& path);
 
 /// What shoot takes on the command line, and what was given.
 [[nodiscard]] QList<UsageOption> shootOptions();

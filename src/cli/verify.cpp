@@ -2,7 +2,6 @@
 // Applies hits with every pipeline that runs here and holds each against the reference.
 #include <QTextStream>
 
-#include "analysis/hit_files.h"
 #include "cli/agreement.h"
 #include "cli/common_options.h"
 #include "cli/opened_scene.h"
@@ -66,7 +65,7 @@ Outcome verify(Invocation& given) {
     }
     Session& session = scene.session();
     if (given.isSet("hits")) {
-        if (Status added = takeHits(session, readHitFile(given.text("hits"))); !added) {
+        if (Status added = takeHits(session, given.text("hits")); !added) {
             return added;
         }
     }

@@ -126,6 +126,20 @@ private Q_SLOTS:
                                       printOf(shot, QStringLiteral("hits"))));
     }
 
+    void hitsComeFromTheStandardInput() {
+        QVERIFY(burst({"--hits-out", path("piped.csv")}).status == 0);
+        const auto piped = [this](const char* file) {
+            QProcess process;
+            process.setStandardInputFile(path(file));
+            process.start(qEnvironmentVariable("HITSCOPE_CLI"), {"verify", "--hits", "-", path("ball.obj")});
+            process.waitForFinished(100'000);
+            return process.readAllStandardOutput() + process.readAllStandardError();
+        };
+        const CliRun named = run({"verify", "--hits", path("piped.csv")});
+        QCOMPARE(QString::fromUtf8(piped("piped.csv")), named.out + named.err);
+        QVERIFY(piped("ball.obj").contains("standard input, line 1"));
+    }
+
     void pipelineIsChosen() {
         const CliRun byReference = burst({"--pipeline", "reference"});
         QVERIFY2(byReference.status == 0, qPrintable(byReference.err));
