@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "deform/fingerprint.h"
-#include "session/shown_number.h"
 
 namespace hitscope::cli {
 
@@ -163,10 +162,12 @@ void addTargets(JsonReport& report, const Session& session) {
     report.endArray();
 }
 
-QString shotsAndHits(std::size_t shots, const Session& session) {
-    const std::size_t hits = session.hits().history().size();
-    return inEnglish(QStringLiteral("%1 {shot|shots}, "), trCount(shots)).arg(shots) +
-           inEnglish(QStringLiteral("%1 {hit|hits}"), trCount(hits)).arg(hits);
+QString shotsAndHits(std::size_t shots, std::size_t shotHits, const Session& session) {
+    const std::size_t all = session.hits().history().size();
+    const std::size_t hits = shots > 0 ? shotHits : all;
+    const QString text =
+        counted(shots, "shot", "shots") + QStringLiteral(", ") + counted(hits, "hit", "hits");
+    return hits == all ? text : text + QStringLiteral("; %1 in all").arg(counted(all, "hit", "hits"));
 }
 
 QString fingerprintLines(const Session& session) {

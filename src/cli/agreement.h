@@ -38,8 +38,9 @@ namespace hitscope::cli {
 [[nodiscard]] Outcome exportAgrees(const Session& session, const std::optional<ReferenceAgreement>& agreement,
                                    const QString& path);
 
-/// "5 shots, 4 hits"; "1 shot, 1 hit".
-[[nodiscard]] QString shotsAndHits(std::size_t shots, const Session& session);
+/// "5 shots, 4 hits"; "1 shot, 0 hits; 5 hits in all", where the session has others than those of these
+/// shots; "0 shots, 5 hits". `shotHits`: of these shots.
+[[nodiscard]] QString shotsAndHits(std::size_t shots, std::size_t shotHits, const Session& session);
 
 /// Two lines: of the hits, and of the positions as the active pipeline made them.
 [[nodiscard]] QString fingerprintLines(const Session& session);

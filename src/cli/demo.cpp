@@ -151,13 +151,14 @@ Outcome writeResults(Demo& demo, OpenedScene& scene, const DemoOptions& options,
     addTargets(report, session);
     const QString verdict =
         QString::fromStdString(describe(session.readBack().verdict(), session.settings().pipeline()));
-    const QString text =
-        QStringLiteral("Renderer: %1\n%2\n%3\n\n")
-            .arg(renderer, verdict, shotsAndHits(static_cast<std::size_t>(options.shots), session)) +
-        tableOf(session) + u'\n' + compared.value().join(u'\n') + QStringLiteral("\n\n") +
-        fingerprintLines(session) +
-        QStringLiteral("\nIn %1: before.png, after.png, wireframe.png, deformed.obj (%2)\n")
-            .arg(QDir::toNativeSeparators(folder), exported.name);
+    const QString text = QStringLiteral("Renderer: %1\n%2\n%3\n\n")
+                             .arg(renderer, verdict,
+                                  shotsAndHits(static_cast<std::size_t>(options.shots),
+                                               session.hits().history().size(), session)) +
+                         tableOf(session) + u'\n' + compared.value().join(u'\n') + QStringLiteral("\n\n") +
+                         fingerprintLines(session) +
+                         QStringLiteral("\nIn %1: before.png, after.png, wireframe.png, deformed.obj (%2)\n")
+                             .arg(QDir::toNativeSeparators(folder), exported.name);
     if (Status said = giveReport(given, report, text); !said) {
         return said;
     }

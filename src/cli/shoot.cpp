@@ -103,8 +103,7 @@ void play(Session& session, const ShotScript& script, ProgressLine& progress, in
     }
 }
 
-/// All shots that are asked for; gives them.
-Result<ShotScript> fireAll(Session& session, const ShootOptions& options) {
+Result<ShotScript> fireEach(Session& session, const ShootOptions& options) {
     if (options.shots == ShootOptions::Shots::Random) {
         ProgressLine progress(QStringLiteral("Shooting"), options.count);
         int before = 0;
@@ -117,6 +116,23 @@ Result<ShotScript> fireAll(Session& session, const ShootOptions& options) {
         play(session, script.value(), progress, 0);
     }
     return script;
+}
+
+/// What was fired, and what came of it.
+struct FiredShots {
+    ShotScript script;
+    std::size_t before = 0;  ///< hits that there were: of the session, of --hits
+    std::size_t hits = 0;    ///< of these shots alone
+};
+
+/// All shots that are asked for, and their hits: there may be others already.
+Result<FiredShots> fireAll(Session& session, const ShootOptions& options) {
+    const std::size_t before = session.hits().history().size();
+    Result<ShotScript> script = fireEach(session, options);
+    if (!script) {
+        return script.error();
+    }
+    return FiredShots{std::move(script).value(), before, session.hits().history().size() - before};
 }
 
 /// What comes after the shots, on the surface as they have left it; everything is read back then.
@@ -238,29 +254,33 @@ std::size_t requestedShots(const ShootOptions& options, std::size_t fired) {
     return options.shots == ShootOptions::Shots::Random ? static_cast<std::size_t>(options.count) : fired;
 }
 
-void noteShots(const Session& session, const ShootOptions& options, std::size_t fired) {
+void noteShots(const ShootOptions& options, const FiredShots& shots) {
+    const std::size_t fired = shots.script.shots.size();
     if (const std::size_t requested = requestedShots(options, fired); fired < requested) {
         note(QStringLiteral("note: only %1 of %2: no other place that a shot could strike was found.")
                  .arg(fired)
                  .arg(counted(requested, "shot", "shots")));
     }
-    if (fired > 0 && session.hits().history().size() == 0) {
+    if (fired > 0 && shots.hits == 0) {
         note(QStringLiteral("No shot hit a target."));
     }
 }
 
 /// What was hit, and whether the mesh is the reference's; then the mesh.
-Outcome reportShots(Invocation& given, OpenedScene& scene, const ShootOptions& options, std::size_t shots) {
+Outcome reportShots(Invocation& given, OpenedScene& scene, const ShootOptions& options,
+                    const FiredShots& fired) {
     Session& session = scene.session();
+    const std::size_t shots = fired.script.shots.size();
     const std::optional<ReferenceAgreement> agreement = agreementOfActive(session);
     JsonReport report("shoot");
     report.text("scene", options.scenePath).count("requested", requestedShots(options, shots));
     report.count("shots", shots);
-    report.count("hits", session.hits().history().size());
+    const std::size_t hits = session.hits().history().size();
+    report.count("hits", hits).count("new_hits", hits - fired.before);
     addAgreement(report, session, agreement);
     addFingerprints(report, session);
     addTargets(report, session);
-    QString text = shotsAndHits(shots, session) + u'\n' + targetLines(session) +
+    QString text = shotsAndHits(shots, fired.hits, session) + u'\n' + targetLines(session) +
                    agreementLine(session, agreement) + u'\n' + fingerprintLines(session);
     text += writtenLines(options);
     Outcome result = Done{};
@@ -287,18 +307,18 @@ Outcome shoot(Invocation& given, const ShootOptions& options) {
         return prepared;
     }
     session.simulation().setPaused(false);  // as a session may have been saved
-    const Result<ShotScript> script = fireAll(session, options);
-    if (!script) {
-        return script.error();
+    const Result<FiredShots> fired = fireAll(session, options);
+    if (!fired) {
+        return fired.error();
     }
     if (Outcome repeated = repeatHits(scene, options); !repeated) {
         return repeated;
     }
-    if (Outcome written = writeFiles(scene, options, script.value()); !written) {
+    if (Outcome written = writeFiles(scene, options, fired.value().script); !written) {
         return written;
     }
-    noteShots(session, options, script.value().shots.size());
-    return reportShots(given, scene, options, script.value().shots.size());
+    noteShots(options, fired.value());
+    return reportShots(given, scene, options, fired.value());
 }
 
 int runShoot(Invocation& given) {

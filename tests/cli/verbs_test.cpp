@@ -96,7 +96,7 @@ void VerbsTest::good_data() {
     row("info --renderer", "OpenGL");
     row("shoot --burst 3 --cone 1 @ball.obj", "3 shots, 3 hits");
     row("shoot --hits @hits.csv @ball.obj", "0 shots, 6 hits");
-    row("shoot --at 0,0,0 --speed 50 --radius 0.05 --flight quick @one.hitscope", "1 shot, 2 hits");
+    row("shoot --at 0,0,0 --speed 50 --radius 0.05 --flight quick @one.hitscope", "1 hit; 2 hits in all");
     row("replay @many.hitscope", "the positions are those that were saved");
     row("replay --until 2 @many.hitscope", "2 of 6 hits");
     row("verify @many.hitscope", "6 hits");

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Hits and meshes in and out of hitscope-cli, and what it says of a renderer that does not deform exactly.
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QTemporaryDir>
 #include <QTest>
 #include <cmath>
@@ -101,7 +103,7 @@ private Q_SLOTS:
         QVERIFY(burst({"--hits-out", path("first.csv")}).status == 0);
         const CliRun both = burst({"--hits", path("first.csv"), "--hits-out", path("both.csv")});
         QVERIFY2(both.status == 0, qPrintable(both.err));
-        QVERIFY(both.out.startsWith(QStringLiteral("30 shots, 60 hits\n")));
+        QVERIFY(both.out.startsWith(QStringLiteral("30 shots, 30 hits; 60 hits in all\n")));
         const auto pointsOf = [](const QByteArray& table, int first) {
             return table.split('\n').mid(first, 30);
         };
@@ -138,6 +140,28 @@ private Q_SLOTS:
         const CliRun named = run({"verify", "--hits", path("piped.csv")});
         QCOMPARE(QString::fromUtf8(piped("piped.csv")), named.out + named.err);
         QVERIFY(piped("ball.obj").contains("standard input, line 1"));
+    }
+
+    // Shots at a session that has hits: these are no hits of the shots.
+    void hitsOfASessionAreNotThoseOfShots() {
+        QVERIFY(burst({"--session", path("dents.hitscope")}).status == 0);
+        const auto shootAt = [this](const char* at) {
+            const QStringList shot{"shoot", "--at", at, "--direction", "0,0,-1", path("dents.hitscope")};
+            const CliRun made = runCli(shot + QStringList{"--report", path("r.json")});
+            const QJsonObject report = QJsonDocument::fromJson(contentOf(path("r.json"))).object();
+            return std::pair(made, QList<int>{report["shots"].toInt(), report["new_hits"].toInt(),
+                                              report["hits"].toInt()});
+        };
+        const auto [missed, none] = shootAt("50,50,50");
+        QVERIFY2(missed.out.startsWith(QStringLiteral("1 shot, 0 hits; 30 hits in all\n")),
+                 qPrintable(missed.out));
+        QVERIFY2(missed.err.contains(QStringLiteral("No shot hit a target.")), qPrintable(missed.err));
+        QCOMPARE(none, (QList<int>{1, 0, 30}));
+        const auto [struck, one] = shootAt("0,0,0");
+        QVERIFY2(struck.out.startsWith(QStringLiteral("1 shot, 1 hit; 31 hits in all\n")),
+                 qPrintable(struck.out));
+        QVERIFY(!struck.err.contains(QStringLiteral("No shot")));
+        QCOMPARE(one, (QList<int>{1, 1, 31}));
     }
 
     void pipelineIsChosen() {
