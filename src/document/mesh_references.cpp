@@ -7,6 +7,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QUrl>
+#include <QtEndian>
 #include <algorithm>
 
 #include "io/file_scope.h"
@@ -61,17 +62,51 @@ References referencesIn(const QString& meshPath, const MeshData& mesh) {
     return references;
 }
 
+/// The JSON of a glTF, text or binary; empty: it is none.
+QJsonObject gltfOf(const QString& meshPath) {
+    constexpr qint64 kHeader = 20;  // of a binary file, before its JSON; the same in both versions
+    constexpr qsizetype kLength = 12;
+    const QString suffix = QFileInfo(meshPath).suffix().toLower();
+    const bool isBinary = suffix == QLatin1String("glb");
+    QFile file(meshPath);
+    if ((!isBinary && suffix != QLatin1String("gltf")) || !file.open(QIODevice::ReadOnly)) {
+        return {};
+    }
+    if (!isBinary) {
+        return QJsonDocument::fromJson(file.readAll()).object();
+    }
+    const QByteArray header = file.read(kHeader);
+    if (header.size() < kHeader) {
+        return {};
+    }
+    const auto length = qFromLittleEndian<quint32>(header.constData() + kLength);
+    return QJsonDocument::fromJson(file.read(std::min<qint64>(length, file.size()))).object();
+}
+
 /// The files that a list of a glTF names, as it is written and as it is meant; what is in the file itself has
-/// "data:".
+/// "data:". Version 1 has objects in place of lists.
 QStringList urisOf(const QJsonObject& gltf, const QString& list) {
     QStringList names;
-    for (const QJsonValue& entry : gltf.value(list).toArray()) {
+    const QJsonValue things = gltf.value(list);
+    const auto add = [&names](const QJsonValue& entry) {
         const QString uri = entry.toObject().value(QStringLiteral("uri")).toString();
         if (!uri.isEmpty() && !uri.startsWith(QLatin1String("data:"))) {
             names << uri << QUrl::fromPercentEncoding(uri.toUtf8());
         }
+    };
+    for (const QJsonValue& entry : things.toArray()) {
+        add(entry);
+    }
+    for (const QJsonValue& entry : things.toObject()) {
+        add(entry);
     }
     return names;
+}
+
+void addBuffers(References& references, const QJsonObject& gltf) {
+    for (const QString& name : urisOf(gltf, QStringLiteral("buffers"))) {
+        references.addData(name);
+    }
 }
 
 }  // namespace
@@ -80,17 +115,18 @@ std::vector<MeshReference> referencesOf(const QString& meshPath, const MeshData&
     return referencesIn(meshPath, mesh).found();
 }
 
+std::vector<MeshReference> buffersOf(const QString& meshPath) {
+    References references(meshPath);
+    addBuffers(references, gltfOf(meshPath));
+    return references.found();
+}
+
 std::vector<MeshReference> allReferencesOf(const QString& meshPath, const MeshData& mesh) {
     References references = referencesIn(meshPath, mesh);
-    QFile file(meshPath);
-    if (QFileInfo(meshPath).suffix().toLower() == QLatin1String("gltf") && file.open(QIODevice::ReadOnly)) {
-        const QJsonObject gltf = QJsonDocument::fromJson(file.readAll()).object();
-        for (const QString& name : urisOf(gltf, QStringLiteral("buffers"))) {
-            references.addData(name);
-        }
-        for (const QString& name : urisOf(gltf, QStringLiteral("images"))) {
-            references.addPicture(name);
-        }
+    const QJsonObject gltf = gltfOf(meshPath);
+    addBuffers(references, gltf);
+    for (const QString& name : urisOf(gltf, QStringLiteral("images"))) {
+        references.addPicture(name);
     }
     return references.found();
 }

@@ -25,7 +25,11 @@ struct MeshReference {
 /// out. Looks at the disk; on any thread.
 [[nodiscard]] std::vector<MeshReference> referencesOf(const QString& meshPath, const MeshData& mesh);
 
-/// The same, and what the file itself has to be read for: the buffers and pictures of a glTF.
+/// The buffers of a glTF, which its shape comes from; other files have none. Those that are not there are
+/// left out. Looks at the disk; on any thread.
+[[nodiscard]] std::vector<MeshReference> buffersOf(const QString& meshPath);
+
+/// referencesOf(), and what the file itself has to be read for: the buffers and pictures of a glTF.
 [[nodiscard]] std::vector<MeshReference> allReferencesOf(const QString& meshPath, const MeshData& mesh);
 
 }  // namespace hitscope

@@ -167,6 +167,17 @@ Result<PreparedSession> prepareSession(SessionDocument document, const MeshPlace
     return Error{"There is not enough memory for this session.", "", "Close other programs and try again."};
 }
 
+std::vector<MeshFile> meshFilesOf(SessionDocument document, const MeshPlaces& places) {
+    makeAbsolute(document, places.folder);
+    std::vector<MeshFile> files;
+    for (const SavedTarget& target : document.targets) {
+        if (std::optional<MeshFile> found = findMesh(target, places)) {
+            files.push_back(std::move(*found));
+        }
+    }
+    return files;
+}
+
 void restoreSession(Session& session, PreparedSession& prepared) {
     number(prepared, session.targets().nextId());
     const SessionDocument& document = prepared.document;

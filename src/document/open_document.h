@@ -63,6 +63,10 @@ struct PrepareControl {
 [[nodiscard]] Result<PreparedSession> prepareSession(SessionDocument document, const MeshPlaces& places,
                                                      const PrepareControl& control = {});
 
+/// The files that the meshes of its targets are made from, as they are now: each target's, in their order, as
+/// prepareSession() finds it. Those that are not there are left out. Reads all of them; on any thread.
+[[nodiscard]] std::vector<MeshFile> meshFilesOf(SessionDocument document, const MeshPlaces& places);
+
 /// Makes a session what the document says; nothing can be undone after it. On the session's thread. Cameras
 /// and display are the window's to take. Targets get ids that the session never had, in `prepared` too: what
 /// is still on its way for others is not taken for theirs.

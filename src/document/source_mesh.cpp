@@ -59,6 +59,38 @@ Error changed(const QString& path) {
 
 }  // namespace
 
+std::optional<MeshFile> findMesh(const SavedTarget& target, const MeshPlaces& places) {
+    const auto* wanted = std::get_if<MeshFile>(&target.source.mesh);
+    if (wanted == nullptr) {
+        return std::nullopt;
+    }
+    const MeshFile& file = *wanted;
+    QStringList paths;
+    if (const auto chosen = places.found.find(file.path); chosen != places.found.end()) {
+        paths << chosen->second;
+    }
+    if (!places.folder.isEmpty() && !target.source.relativePath.isEmpty()) {
+        paths << QDir::cleanPath(QDir(places.folder).absoluteFilePath(target.source.relativePath));
+    }
+    paths << file.path;
+    for (const QString& folder : places.others) {
+        paths << QDir(folder).absoluteFilePath(QFileInfo(file.path).fileName());
+    }
+    paths.removeDuplicates();
+    std::optional<MeshFile> first;
+    for (const QString& path : paths) {
+        if (!QDir::isAbsolutePath(path) || !QFileInfo(path).isFile()) {
+            continue;
+        }
+        MeshFile there = meshFileAt(path);
+        if (there.sha256 == file.sha256) {
+            return there;
+        }
+        first = first.value_or(std::move(there));
+    }
+    return first;
+}
+
 const TargetPlan* SourceMeshes::planOf(const SavedTarget& target) {
     const std::string key = keyOf(target);
     auto made = m_made.find(key);
@@ -129,7 +161,7 @@ std::optional<MeshData> SourceMeshes::stepped(const SavedTarget& target, MeshDat
 }
 
 std::optional<TargetPlan> SourceMeshes::import(const SavedTarget& target, const MeshFile& file) {
-    const std::optional<MeshFile> found = find(target, file);
+    const std::optional<MeshFile> found = findMesh(target, m_places);
     if (!found) {
         note(target, MeshTrouble::Kind::Missing, missing(file.path));
         return std::nullopt;
@@ -193,34 +225,6 @@ Result<ImportedMesh> SourceMeshes::importFile(const QString& path) const {
 void SourceMeshes::note(const SavedTarget& target, MeshTrouble::Kind kind, const Error& error) {
     const auto* file = std::get_if<MeshFile>(&target.source.mesh);
     m_troubles.push_back({kind, file != nullptr ? file->path : QString(), {target.id}, 0, error});
-}
-
-/// The first that has the content that is wanted; else the first that is there.
-std::optional<MeshFile> SourceMeshes::find(const SavedTarget& target, const MeshFile& file) const {
-    QStringList paths;
-    if (const auto chosen = m_places.found.find(file.path); chosen != m_places.found.end()) {
-        paths << chosen->second;
-    }
-    if (!m_places.folder.isEmpty() && !target.source.relativePath.isEmpty()) {
-        paths << QDir::cleanPath(QDir(m_places.folder).absoluteFilePath(target.source.relativePath));
-    }
-    paths << file.path;
-    for (const QString& folder : m_places.others) {
-        paths << QDir(folder).absoluteFilePath(QFileInfo(file.path).fileName());
-    }
-    paths.removeDuplicates();
-    std::optional<MeshFile> first;
-    for (const QString& path : paths) {
-        if (!QDir::isAbsolutePath(path) || !QFileInfo(path).isFile()) {
-            continue;
-        }
-        MeshFile there = meshFileAt(path);
-        if (there.sha256 == file.sha256) {
-            return there;
-        }
-        first = first.value_or(std::move(there));
-    }
-    return first;
 }
 
 /// Beside the session file if it is there, else where it was.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,10 @@
 #include "session/target_plan.h"
 
 namespace hitscope {
+
+/// The file that a target's mesh is to be read from: the first that has the content that is wanted, else the
+/// first that is there. Nothing: none is, or the mesh comes from no file.
+[[nodiscard]] std::optional<MeshFile> findMesh(const SavedTarget& target, const MeshPlaces& places);
 
 /// Makes meshes of saved targets from their sources, each once. On any thread.
 class SourceMeshes {
@@ -28,7 +33,6 @@ private:
     /// What was done to the mesh is done to it again.
     std::optional<MeshData> stepped(const SavedTarget& target, MeshData mesh, MeshSteps& steps);
     void note(const SavedTarget& target, MeshTrouble::Kind kind, const Error& error);
-    std::optional<MeshFile> find(const SavedTarget& target, const MeshFile& file) const;
     /// Gives the mesh its pictures that were found elsewhere; returns where they are now.
     std::vector<LocatedTexture> addTextures(const SavedTarget& target, MeshData& mesh);
     [[nodiscard]] QString placeOf(const LocatedTexture& texture) const;

@@ -4,6 +4,7 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QProcess>
+#include <QRegularExpression>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
@@ -27,6 +28,10 @@ private Q_SLOTS:
     void othersMakeTheSameTable();
     void jobArraysTakeAnyFolder();
     void anotherContentIsAnotherJob();
+    void buffersAreContent_data();
+    void buffersAreContent();
+    void meshesOfSessionsAreContent();
+    void scenesOfOneContentShareAResult();
     void plansAreChecked_data();
     void plansAreChecked();
     void whatFailsIsSaid();
@@ -145,6 +150,93 @@ void SweepTest::anotherContentIsAnotherJob() {
     QCOMPARE(runCli(arguments).out, first);
     writeBytes(in("m.obj"), ballObj(6, 8));
     QVERIFY(runCli(arguments).out != first);
+}
+
+/// The JSON of two glTFs is the same, and their buffers are not.
+void SweepTest::buffersAreContent_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QByteArray>("mesh");
+    const QByteArray second =
+        R"({"asset": {"version": "2.0"}, "buffers": [{"uri": "a%20b.bin", "byteLength": 3}]} )";
+    const QByteArray first = R"({"buffers": {"all": {"uri": "a%20b.bin", "byteLength": 3}}} )";
+    QTest::newRow("text") << "a.gltf" << second;
+    QTest::newRow("version 1") << "a.gltf" << first;
+    QByteArray header("glTF\2\0\0\0\0\0\0\0\0\0\0\0JSON", 20);
+    header[8] = static_cast<char>(header.size() + second.size());
+    header[12] = static_cast<char>(second.size());
+    QTest::newRow("binary") << "a.glb" << header + second;
+}
+
+void SweepTest::buffersAreContent() {
+    QFETCH(const QString, name);
+    QFETCH(const QByteArray, mesh);
+    const QTemporaryDir folder;
+    for (const char* scene : {"s1", "s2"}) {
+        QVERIFY(QDir(folder.path()).mkdir(QLatin1String(scene)));
+        writeBytes(folder.filePath(QLatin1String(scene) + u'/' + name), mesh);
+        writeBytes(folder.filePath(QLatin1String(scene) + QStringLiteral("/a b.bin")), scene);
+    }
+    const QString plan = writeBytes(folder.filePath(QStringLiteral("plan.json")),
+                                    "{\"hitscope-sweep\": 1, \"scenes\": [\"s1/" + name.toUtf8() +
+                                        "\", \"s2/" + name.toUtf8() + "\"], \"options\": {\"random\": 1}}");
+    QCOMPARE(runCli({"sweep", "--list", plan}).out.count(u'\n'), 2);
+    writeBytes(folder.filePath(QStringLiteral("s2/a b.bin")), "s1");
+    QCOMPARE(runCli({"sweep", "--list", plan}).out.count(u'\n'), 1);
+}
+
+/// The session says what its mesh was; what counts is what it is. The folder may be anywhere.
+void SweepTest::meshesOfSessionsAreContent() {
+    const QTemporaryDir folder;
+    const QString from = folder.filePath(QStringLiteral("from"));
+    const QString to = folder.filePath(QStringLiteral("to"));
+    QVERIFY(QDir().mkdir(from) && QDir().mkdir(to));
+    const QByteArray ball = ballObj(6, 6);
+    const QString mesh = writeBytes(from + QStringLiteral("/m.obj"), ball);
+    const QString session = from + QStringLiteral("/s.hitscope");
+    QVERIFY(runCli({"shoot", "--random", "1", "--session", session, mesh}).status == 0);
+    QVERIFY(QFile::copy(session, to + QStringLiteral("/s.hitscope")));
+    writeBytes(to + QStringLiteral("/m.obj"), ball);
+    const auto keyIn = [](const QString& place) {
+        const QString plan =
+            writeBytes(place + QStringLiteral("/plan.json"),
+                       "{\"hitscope-sweep\": 1, \"scenes\": [\"s.hitscope\"], \"options\": {\"random\": 1}}");
+        return QRegularExpression(QStringLiteral("jobs/([0-9a-f]{16})\\.json"))
+            .match(runCli({"sweep", "--list", plan}).out)
+            .captured(1);
+    };
+    const QString first = keyIn(from);
+    QVERIFY(!first.isEmpty());
+    QCOMPARE(keyIn(to), first);
+    writeBytes(mesh, ballObj(6, 8));
+    QVERIFY(keyIn(from) != first);
+    QCOMPARE(keyIn(to), first);
+    writeBytes(mesh, ball);
+    QCOMPARE(keyIn(from), first);
+}
+
+void SweepTest::scenesOfOneContentShareAResult() {
+    writeBytes(in("one.obj"), ballObj(6, 6));
+    writeBytes(in("two.obj"), ballObj(6, 6));
+    writeBytes(in("three.off"), ballObj(6, 6));  // the same bytes, which are no mesh there
+    const QString plan = writeBytes(in("same.json"),
+                                    "{\"hitscope-sweep\": 1, \"scenes\": [\"one.obj\", \"two.obj\"], "
+                                    "\"options\": {\"random\": 1, \"seed\": [1, 2]}}");
+    QCOMPARE(runCli({"sweep", "--list", "--out", in("same"), plan}).out.count(u'\n'), 2);
+    const QString flow = runCli({"sweep", "--snakemake", "--out", in("same"), plan}).out;
+    QCOMPARE(flow.count(QStringLiteral("\nrule job_")), 2);
+    const CliRun run = runCli({"sweep", "--out", in("same"), plan});
+    QVERIFY2(run.status == 0, qPrintable(run.err));
+    QVERIFY2(run.out.startsWith(QStringLiteral("4 of 4 jobs have a result")), qPrintable(run.out));
+    QCOMPARE(reports("same").size(), std::size_t{2});
+    const QList<QByteArray> rows = read("same/table.csv").trimmed().split('\n');
+    QCOMPARE(rows.size(), 5);
+    for (const int seed : {1, 2}) {
+        QCOMPARE(QByteArray(rows[seed]).replace("one.obj", "two.obj"), rows[seed + 2]);
+    }
+    writeBytes(in("formats.json"),
+               "{\"hitscope-sweep\": 1, \"scenes\": [\"one.obj\", \"three.off\"], "
+               "\"options\": {\"random\": 1}}");
+    QCOMPARE(runCli({"sweep", "--list", "--out", in("formats"), in("formats.json")}).out.count(u'\n'), 2);
 }
 
 void SweepTest::plansAreChecked_data() {

@@ -10,6 +10,7 @@
 #include <QTextStream>
 #include <QThread>
 #include <memory>
+#include <set>
 
 #include "cli/common_options.h"
 #include "cli/progress_line.h"
@@ -104,11 +105,12 @@ private:
     int m_worst = kGood;
 };
 
-/// Jobs that have no result yet.
+/// Jobs that have no result yet; of those that will have one in common, the first.
 std::vector<const SweepJob*> jobsToDo(const SweepPlan& plan, const QString& folder) {
     std::vector<const SweepJob*> jobs;
+    std::set<QString> seen;
     for (const SweepJob& job : plan.jobs) {
-        if (!readResult(reportPathOf(folder, job))) {
+        if (seen.insert(job.key).second && !readResult(reportPathOf(folder, job))) {
             jobs.push_back(&job);
         }
     }
@@ -213,26 +215,28 @@ Verb sweepVerb() {
              "A plan is JSON: {\"hitscope-sweep\": 1, \"scenes\": [\"a.obj\", \"b.obj\"], \"options\": "
              "{\"random\": 50, \"max-distance\": [0.3, 0.5], \"seed\": [1, 2, 3]}}. Its options are those of "
              "shoot; each combination is a job. Skips jobs that have a result, so an interrupted sweep "
-             "resumes where it stopped. A result is valid for the content of its files. When no job is "
+             "resumes where it stopped. A result is valid for the content of its files, and of the "
+             "meshes and buffers that these name; scenes of the same content share it. When no job is "
              "left to be run, writes table.csv, table.json and plots.svg of the results that there are; they "
              "do not depend on who ran the jobs. To use Slurm, pipe the output of --slurm into sbatch "
              "--wait, then write "
              "the table with --merge."),
-         .options = {folderOption("out", QStringLiteral("Folder for the results; created if needed."),
-                                  QStringLiteral("hitscope-sweep")),
-                     valueOption("jobs", "N",
-                                 QStringLiteral(
-                                     "Number of parallel jobs, 1 to 1024; default: one for each processor.")),
-                     flagOption("list", QStringLiteral("Run nothing; print one command line for each job "
-                                                       "without a result, for GNU parallel.")),
-                     flagOption("slurm", QStringLiteral("Run nothing; print a job array for sbatch.")),
-                     flagOption("snakemake", QStringLiteral("Run nothing; print a workflow for snakemake.")),
-                     flagOption("merge",
-                                QStringLiteral("Run nothing; write the table of the existing results.")),
-                     valueOption("program", "PATH", QStringLiteral("Program that the printed commands call."),
-                                 QStringLiteral("hitscope-cli")),
-                     flagOption("json", QStringLiteral("Print the table as JSON instead of text.")),
-                     quietOption()},
+         .options =
+             {folderOption(
+                  "out", QStringLiteral("Folder for the results; created if needed."),
+                  QStringLiteral("hitscope-sweep"),
+                  {QStringLiteral("table.csv"), QStringLiteral("table.json"), QStringLiteral("plots.svg")}),
+              valueOption(
+                  "jobs", "N",
+                  QStringLiteral("Number of parallel jobs, 1 to 1024; default: one for each processor.")),
+              flagOption("list", QStringLiteral("Run nothing; print one command line for each job "
+                                                "without a result, for GNU parallel.")),
+              flagOption("slurm", QStringLiteral("Run nothing; print a job array for sbatch.")),
+              flagOption("snakemake", QStringLiteral("Run nothing; print a workflow for snakemake.")),
+              flagOption("merge", QStringLiteral("Run nothing; write the table of the existing results.")),
+              valueOption("program", "PATH", QStringLiteral("Program that the printed commands call."),
+                          QStringLiteral("hitscope-cli")),
+              flagOption("json", QStringLiteral("Print the table as JSON instead of text.")), quietOption()},
          .examples =
              {{QStringLiteral("Run a sweep on this machine."),
                QStringLiteral("hitscope-cli sweep plan.json --out results")},

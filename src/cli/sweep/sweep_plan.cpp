@@ -3,16 +3,16 @@
 
 #include <QCryptographicHash>
 #include <QDir>
-#include <QFile>
+#include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QRegularExpression>
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "cli/shoot.h"
+#include "cli/sweep/sweep_keys.h"
 #include "document/json_text.h"
 #include "io/number_text.h"
 
@@ -79,24 +79,6 @@ Result<SweptOption> sweptOption(const QString& name, const QJsonValue& value, co
     return swept.values.isEmpty() ? Result<SweptOption>(wrong(member, QStringLiteral("The list is empty.")))
                                   : Result<SweptOption>(swept);
 }
-
-/// Makes keys: hashes of what goes into jobs. Each file is read once.
-class Keys {
-public:
-    /// Empty: it cannot be read.
-    QByteArray contentOf(const QString& path) {
-        QByteArray& hash = m_files[path];
-        QFile file(path);
-        QCryptographicHash made(QCryptographicHash::Sha256);
-        if (hash.isEmpty() && file.open(QIODevice::ReadOnly) && made.addData(&file)) {
-            hash = made.result().toHex();
-        }
-        return hash;
-    }
-
-private:
-    std::map<QString, QByteArray> m_files;
-};
 
 /// A key that is there twice, of which one would be lost; with its line.
 Status checkKeys(std::string_view text, const JsonValue& object, const QString& within) {
@@ -174,11 +156,11 @@ public:
             }
         }
         if (!scene.isEmpty()) {
-            const QByteArray content = m_keys.contentOf(place(scene));
+            const QByteArray content = m_keys.sceneOf(place(scene));
             if (content.isEmpty()) {
                 return wrong(place(scene), QStringLiteral("There is no such file, or it cannot be read."));
             }
-            identity += content;
+            identity += content + (takesHits() ? QFileInfo(scene).completeBaseName().toUtf8() : QByteArray());
             job.arguments << place(scene);
         }
         Invocation given(m_shoot, job.arguments.mid(1));
@@ -221,6 +203,11 @@ private:
     [[nodiscard]] QString place(const QString& path) const {
         return QDir::cleanPath(QDir(m_folder).absoluteFilePath(path));
     }
+    /// Hits of a file are on targets of a name, and a mesh may have that of its file.
+    [[nodiscard]] bool takesHits() const {
+        return std::any_of(m_options.begin(), m_options.end(),
+                           [](const SweptOption& option) { return option.name == QLatin1String("hits"); });
+    }
     /// Counts on, the last option first; false after the last combination.
     bool next(std::vector<qsizetype>& choice) const {
         for (std::size_t i = choice.size(); i-- > 0;) {
@@ -235,7 +222,7 @@ private:
     QString m_folder;
     const Usage& m_shoot;
     std::vector<SweptOption> m_options;
-    Keys m_keys;
+    SweepKeys m_keys;
 };
 
 QString quoted(QString argument) {

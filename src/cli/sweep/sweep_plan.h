@@ -12,7 +12,9 @@ namespace hitscope::cli {
 
 /// One run of `shoot` that a plan asks for; it needs no other.
 struct SweepJob {
-    QString key;            ///< of what goes into it, its files' content among that: 16 hexadecimal digits
+    /// Of what goes into it, its files' content among that: 16 hexadecimal digits. Jobs with one key have one
+    /// result, and only the first of them is run.
+    QString key;
     QString scene;          ///< as the plan names it; empty: the paper's scene
     QStringList values;     ///< one an axis
     QStringList arguments;  ///< of hitscope-cli, but for where the report goes
