@@ -61,6 +61,39 @@ private:
     std::unordered_map<std::size_t, std::deque<std::size_t>> m_byHash;
 };
 
+Hit withDentOf(Hit hit, const Hit& other) {
+    hit.enabled = other.enabled;
+    hit.constants = other.constants;
+    hit.form = other.form;
+    hit.group = other.group;
+    return hit;
+}
+
+/// Whether `after` is `before`, edited: an edit leaves alone when a hit was made, on what, and how hard.
+bool isSameEdited(const Hit& before, const Hit& after) {
+    Hit edited = withDentOf(before, after);
+    edited.point = after.point;
+    edited.direction = after.direction;
+    edited.flight = after.flight;
+    edited.normal = after.normal;
+    edited.triangle = after.triangle;
+    return edited == after;
+}
+
+/// Whether the same hits only stand in another order, which hits of one moment may.
+bool isReordered(const HistoryEdit& edit) {
+    const bool isInPlace =
+        std::equal(edit.before.begin(), edit.before.end(), edit.after.begin(), edit.after.end(),
+                   [](const Hit& before, const Hit& after) { return withDentOf(before, after) == after; });
+    if (isInPlace) {
+        return false;
+    }
+    TakenHits taken;
+    taken.take(edit, std::vector<std::uint32_t>(edit.before.size()));
+    return std::all_of(edit.after.begin(), edit.after.end(),
+                       [&taken](const Hit& hit) { return taken.find(hit) != kNowhere; });
+}
+
 }  // namespace
 
 bool keepsPlaces(const HistoryEdit& edit) {
@@ -68,13 +101,8 @@ bool keepsPlaces(const HistoryEdit& edit) {
         return true;
     }
     return std::equal(edit.before.begin(), edit.before.end(), edit.after.begin(), edit.after.end(),
-                      [](Hit before, const Hit& after) {
-                          before.enabled = after.enabled;
-                          before.constants = after.constants;
-                          before.form = after.form;
-                          before.group = after.group;
-                          return before == after;
-                      });
+                      isSameEdited) &&
+           !isReordered(edit);
 }
 
 HitRows::HitRows(std::size_t sizeBefore, std::span<const HistoryEdit> edits) {

@@ -79,7 +79,7 @@ public:
 Q_SIGNALS:
     void aboutToBeAppended(int first, int last);
     void appended();
-    /// Hits [first, last] are where they were; they were enabled or disabled, or got other constants.
+    /// Hits [first, last] are where they were; they were enabled, disabled or edited.
     void changed(int first, int last);
     void rearranged(const hitscope::HitRows& rows);  ///< removed, put back, moved
     void reset();                                    ///< after either of these, and with a new scene

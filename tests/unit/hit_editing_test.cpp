@@ -2,7 +2,9 @@
 // Changing selected hits, and what follows it.
 #include <QSignalSpy>
 #include <QTest>
+#include <algorithm>
 #include <memory>
+#include <optional>
 
 #include "analysis/hit_effects.h"
 #include "analysis/hit_highlight.h"
@@ -115,6 +117,42 @@ private Q_SLOTS:
                            std::vector<std::size_t>{0, 2}.begin()));
     }
 
+    /// Hits that stand together are replaced by one edit, which must not pass for other hits.
+    void neighboursStaySelectedWhenTheyAreTurned() {
+        m_session->hits().select(2);
+        m_editing->select({1, 2, 3});
+        const auto isSelected = [this] {
+            return std::ranges::equal(m_editing->rows(), std::vector<std::size_t>{1, 2, 3}) &&
+                   m_session->hits().selected() == std::optional<std::size_t>(2);
+        };
+        const Hit before = m_session->hits().history().hits()[2];
+        const QSignalSpy rearranged(&m_session->hits(), &SessionHits::rearranged);
+        for (const glm::vec3& direction : {glm::vec3(1.0f, 0.0f, 0.0f), glm::vec3(0.0f, 1.0f, 0.0f)}) {
+            turn(direction);
+            Q_EMIT m_session->frameCosts().frameEnded();
+            QVERIFY(isSelected());
+            QCOMPARE(m_session->hits().history().hits()[3].direction, direction);
+        }
+        m_editing->endGesture();
+        m_editing->change(2, [](Hit& hit) { hit.point.y = 0.5f; });
+        m_editing->endGesture();
+        QVERIFY(isSelected());
+        QCOMPARE(m_session->hits().history().hits()[1].point.y, 0.5f);
+        QCOMPARE(m_session->steps().toUndo(), (SessionUndo::Name{SessionUndo::Kind::EditHit, 3}));
+        m_session->undo();
+        QVERIFY(isSelected());
+        QCOMPARE(m_session->hits().history().hits()[2].direction, glm::vec3(0.0f, 1.0f, 0.0f));
+        m_session->undo();
+        QVERIFY(isSelected());
+        QVERIFY(m_session->hits().history().hits()[2] == before);
+        m_session->redo();
+        QVERIFY(isSelected());
+        turn({1.0f, 0.0f, 0.0f});
+        m_editing->cancelGesture();
+        QVERIFY(isSelected());
+        QCOMPARE(rearranged.size(), 0);
+    }
+
     void aNewSceneForgetsThem() {
         m_session->hits().select(3);
         widen(0.6f);
@@ -171,6 +209,12 @@ private Q_SLOTS:
 private:
     void widen(float reach) {
         m_editing->change(0, [reach](Hit& hit) { hit.constants.maxDistance = reach; });
+    }
+    void turn(const glm::vec3& direction) {
+        m_editing->change(1, [direction](Hit& hit) {
+            hit.flight = hit.flight != glm::vec3(0.0f) ? hit.flight : hit.direction;
+            hit.direction = direction;
+        });
     }
     float reachOf(std::size_t hit) const {
         return m_session->hits().history().hits()[hit].constants.maxDistance;

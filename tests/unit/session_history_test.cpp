@@ -208,6 +208,28 @@ private Q_SLOTS:
         QCOMPARE(rows.now(2), std::optional<std::size_t>(3));
     }
 
+    /// Also where one edit does it, over all hits between.
+    void hitsThatChangePlacesAreNotEdited() {
+        HitHistory history;
+        std::vector<Hit> hits(3);
+        for (std::size_t i = 0; i < hits.size(); ++i) {
+            hits[i].point.x = static_cast<float>(i);
+        }
+        history.append(hits);
+        const HistoryEdit moved = history.splice(0, 3, std::array{hits[2], hits[0], hits[1]});
+        QVERIFY(!keepsPlaces(moved));
+        const HitRows rows(3, {&moved, 1});
+        QCOMPARE(rows.now(0), std::optional<std::size_t>(1));
+        QCOMPARE(rows.now(2), std::optional<std::size_t>(0));
+        for (Hit& hit : hits) {
+            hit.direction = {1.0f, 0.0f, 0.0f};
+        }
+        QVERIFY(keepsPlaces(history.splice(0, 3, std::array{hits[2], hits[0], hits[1]})));
+        hits[0].time = 1.0;
+        hits[1].time = 2.0;
+        QVERIFY(!keepsPlaces(history.splice(0, 2, std::array{hits[0], hits[1]})));  // others
+    }
+
     void everyChangeHasItsName() {
         Session& session = *m_session;
         DeformationConstants constants;
