@@ -148,6 +148,17 @@ void MeshStepsTest::hitsThatChangedMeanwhileAreNotApplied() {
     QCOMPARE(session.hits().history().size(), std::size_t(2));
     QCOMPARE(session.hits().history().hits()[1].point.x, 2.0f);
     session.undo();
+    // One whose dent has another form by now is not applied either.
+    for (const auto& change : {+[](Hit& hit) { hit.form.profile = DentProfile::Crater; },
+                               +[](Hit& hit) {
+                                   hit.normal = {0.0f, 1.0f, 0.0f};
+                               }}) {
+        Hit other = session.hits().history().hits()[0];
+        change(other);
+        QVERIFY(session.hits().replace(0, other).ok());
+        QVERIFY(!takeEdited(session, state, edit).ok());
+        session.undo();
+    }
     // One that is not there any more cannot be applied.
     session.hits().remove(std::vector<std::size_t>{0});
     const Status refused = takeEdited(session, state, edit);

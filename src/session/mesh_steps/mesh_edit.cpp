@@ -97,9 +97,10 @@ void setRegion(MeshStep& step, MeshRegion region) {
         step);
 }
 
+/// In all that their dents depend on.
 bool isSameHit(const Hit& a, const Hit& b) {
-    return sameBits(a.point, b.point) && sameBits(a.direction, b.direction) && a.constants == b.constants &&
-           a.enabled == b.enabled;
+    return sameBits(a.point, b.point) && sameBits(a.direction, b.direction) && sameBits(a.normal, b.normal) &&
+           a.constants == b.constants && a.form == b.form && a.enabled == b.enabled;
 }
 
 }  // namespace
