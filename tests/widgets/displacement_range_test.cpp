@@ -65,6 +65,17 @@ private Q_SLOTS:
         QCOMPARE(m_plot->range()->high, m_plot->histogram().high);
     }
 
+    /// What was chosen was of displacements that are all gone.
+    void undoingEverythingForgetsTheChoice() {
+        dragUpperHandleToTheMiddle();
+        m_session->goToStep(0);
+        QTRY_VERIFY_WITH_TIMEOUT(m_plot->histogram().counts.empty(), kPatience);
+        shootAndWait(10, 3);
+        QCOMPARE(m_plot->range()->high, m_plot->histogram().high);
+        shootAndWait(40, 5);
+        QCOMPARE(m_plot->range()->high, m_plot->histogram().high);
+    }
+
 private:
     /// Until the histogram counts every vertex that moved.
     void shootAndWait(int shots, std::uint32_t seed) {

@@ -41,6 +41,7 @@ void DisplacementHistogram::follow() {
     plot.setHistogram(histogram);
     const bool isAny = !histogram.counts.empty();
     if (!isAny) {
+        m_isChosen = false;  // of what is no longer there
         plot.setRange({});
     } else if (!m_isChosen || !plot.range()) {
         plot.setRange(HistogramPlot::Range{histogram.low, histogram.high});
