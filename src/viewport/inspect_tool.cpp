@@ -72,9 +72,21 @@ void InspectTool::setTool(Tool tool) {
     endDrag();
     leave();
     m_viewport.setMouseTracking(true);  // the aim preview and the wipe line need it too
-    const bool picks = tool == Tool::Inspect || tool == Tool::Brush;
-    m_viewport.setCursor(picks ? Qt::CrossCursor : Qt::ArrowCursor);
+    showCursor();
     Q_EMIT toolChanged();
+}
+
+void InspectTool::setOnWipeLine(bool on) {
+    if (on != m_isOnWipeLine) {
+        m_isOnWipeLine = on;
+        showCursor();
+    }
+}
+
+void InspectTool::showCursor() {
+    const bool picks = m_tool == Tool::Inspect || m_tool == Tool::Brush;
+    const Qt::CursorShape own = picks ? Qt::CrossCursor : Qt::ArrowCursor;
+    m_viewport.setCursor(m_isOnWipeLine ? Qt::SplitHCursor : own);
 }
 
 bool InspectTool::eventFilter(QObject* watched, QEvent* event) {

@@ -48,6 +48,9 @@ public:
     [[nodiscard]] bool selectsHidden() const { return m_selectsHidden; }
     void setSelectsHidden(bool on) { m_selectsHidden = on; }
 
+    /// The cursor of the viewport is the tool's, but for where a drag would move the wipe's line.
+    void setOnWipeLine(bool on);
+
     /// Where the cursor was when it found the hovered vertex; logical pixels.
     [[nodiscard]] QPointF cursor() const { return m_cursor; }
 
@@ -63,6 +66,7 @@ private:
     bool press(const QMouseEvent& event);
     bool move(const QMouseEvent& event);
     bool release(const QMouseEvent& event);
+    void showCursor();
     bool keyPress(const QKeyEvent& event);
     void beginDrag(const QMouseEvent& event);
     void extendOutline(const QPointF& to);
@@ -83,6 +87,7 @@ private:
     Outline m_outline = Outline::Rectangle;
     bool m_selectsHidden = false;
 
+    bool m_isOnWipeLine = false;
     Drag m_drag = Drag::None;
     QPointF m_pressedAt;
     Qt::KeyboardModifiers m_pressedWith;

@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QSlider>
 #include <cmath>
+#include <utility>
 
 #include "app/settings/change_settings.h"
 #include "mesh/primitives.h"
@@ -15,6 +16,7 @@
 #include "panels/histogram/histogram_plot.h"
 #include "session/shots/demo_shots.h"
 #include "support/test_program.h"
+#include "viewport/inspect_tool.h"
 #include "widgets/window_support.h"
 
 namespace hitscope::change_test {
@@ -118,6 +120,31 @@ private Q_SLOTS:
         QVERIFY(viewport.camera().eye() == eye);
         QTest::qWait(500);
         QCOMPARE(m_session->simulation().physics().projectileCount(), std::size_t{0});
+    }
+
+    void theCursorIsTheToolsBesideTheLine() {
+        Viewport& viewport = m_window->viewport();
+        const QPointF line(viewport.width() / 2.0, viewport.height() / 2.0);
+        const QPointF beside = line + QPointF(80.0, 0.0);
+        const auto shape = [&viewport] { return viewport.cursor().shape(); };
+        for (const auto& [tool, own] : {std::pair(Tool::Shoot, Qt::ArrowCursor),
+                                        {Tool::Inspect, Qt::CrossCursor},
+                                        {Tool::Brush, Qt::CrossCursor}}) {
+            viewport.inspectTool().setTool(tool);
+            QCOMPARE(shape(), own);
+            QTest::keyClick(&viewport, Qt::Key_X);
+            mouse(&viewport, QEvent::MouseMove, line, false);
+            QCOMPARE(shape(), Qt::SplitHCursor);
+            mouse(&viewport, QEvent::MouseMove, beside, false);
+            QCOMPARE(shape(), own);
+            mouse(&viewport, QEvent::MouseMove, line, false);
+            viewport.inspectTool().setTool(Tool::Move);
+            QCOMPARE(shape(), Qt::SplitHCursor);
+            viewport.inspectTool().setTool(tool);
+            QTest::keyClick(&viewport, Qt::Key_X);  // the line goes
+            QVERIFY(!viewport.options().beforeAfter.wipe);
+            QCOMPARE(shape(), own);
+        }
     }
 
     void comparingPrintsThatPipelinesAgree() {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "viewport/inspect_tool.h"
 #include "viewport/viewport.h"
 
 namespace hitscope {
@@ -12,6 +13,11 @@ namespace hitscope {
 WipeHandle::WipeHandle(Viewport& viewport) : QObject(&viewport), m_viewport(viewport) {
     viewport.setMouseTracking(true);
     viewport.installEventFilter(this);
+    connect(&viewport, &Viewport::optionsChanged, this, [this] {
+        if (!m_viewport.options().beforeAfter.wipe) {
+            m_viewport.inspectTool().setOnWipeLine(false);
+        }
+    });
 }
 
 bool WipeHandle::isAt(const QMouseEvent& event) const {
@@ -46,11 +52,7 @@ bool WipeHandle::eventFilter(QObject* watched, QEvent* event) {
             Q_EMIT dragged(static_cast<float>(std::clamp(at, 0.0, 1.0)));
             return true;
         }
-        const bool hovered = isAt(mouse) && mouse.buttons() == Qt::NoButton;
-        if (hovered != m_hovered) {
-            m_hovered = hovered;
-            hovered ? m_viewport.setCursor(Qt::SplitHCursor) : m_viewport.unsetCursor();
-        }
+        m_viewport.inspectTool().setOnWipeLine(isAt(mouse) && mouse.buttons() == Qt::NoButton);
         return false;
     }
     if (event->type() == QEvent::MouseButtonRelease && m_held) {

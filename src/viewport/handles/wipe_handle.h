@@ -33,7 +33,6 @@ private:
     Viewport& m_viewport;
     bool m_held = false;
     double m_heldLeft = 0.0;  ///< of the picture whose line is held
-    bool m_hovered = false;
 };
 
 }  // namespace hitscope
