@@ -216,6 +216,10 @@ private Q_SLOTS:
         m_session->hits().select(0);
         QCOMPARE(child<QDoubleSpinBox>("max_magnitude")->text(), QStringLiteral("0.027 m"));
         QCOMPARE(child<QDoubleSpinBox>("max_distance")->text(), QStringLiteral("0.045 m"));
+        // The point is moved by steps that are small for the target.
+        const float x = hit(0).point.x;
+        child<QDoubleSpinBox>("pointX")->stepUp();
+        QVERIFY(hit(0).point.x > x && hit(0).point.x < x + 0.02f);
         HitHistoryModel model(*m_session);
         QCOMPARE(model.index(0, HitHistoryModel::MaxMagnitudeColumn).data().toString(),
                  QStringLiteral("0.027"));

@@ -318,8 +318,10 @@ void HitInspectorPanel::showDirection(const Hit& hit) {
 }
 
 void HitInspectorPanel::showPoint(const Hit& hit) {
+    const Target* target = m_session.targets().find(hit.target);
     for (int axis = 0; axis < 3; ++axis) {
         NumberBox& box = *m_point[static_cast<std::size_t>(axis)];
+        box.setStepsWithin(target != nullptr ? static_cast<double>(target->extent()) : 0.0);
         box.showNumber(static_cast<double>(hit.point[axis]));
         if (!isSame(hit, [axis](const Hit& one) { return one.point[axis]; })) {
             box.showDiffering();
