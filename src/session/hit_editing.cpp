@@ -103,8 +103,9 @@ void HitEditing::apply() {
     }
     std::vector<Hit> hits;
     hits.reserve(m_rows.size());
-    for (const std::size_t row : m_rows) {
-        hits.push_back(m_session.hits().history().hits()[row]);
+    for (std::size_t i = 0; i < m_rows.size(); ++i) {
+        const bool isKnown = m_part >= 0 && m_before.size() == m_rows.size();
+        hits.push_back(isKnown ? m_before[i] : m_session.hits().history().hits()[m_rows[i]]);
         edit(hits.back());
     }
     if (m_rows.back() >= m_session.hits().shown().size()) {

@@ -27,9 +27,9 @@ public:
     [[nodiscard]] const Hit* current() const;
 
     using Edit = std::function<void(Hit&)>;
-    /// Does `edit`, which may be done again and again, to all selected hits, now or after the next frame;
-    /// `part` (>= 0) tells the gestures apart. A hit that checkedHit() refuses stays as it was, and refused()
-    /// says why.
+    /// Does `edit` to all selected hits, as they were before the gesture, now or after the next frame; `part`
+    /// (>= 0) tells the gestures apart. A hit that checkedHit() refuses stays as it was, and refused() says
+    /// why.
     void change(int part, const Edit& edit, SessionUndo::Kind kind = SessionUndo::Kind::EditHit);
     /// What was changed last is done now, and is a step of its own.
     void endGesture();

@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QSlider>
+#include <QTableView>
 #include <QToolButton>
 #include <algorithm>
 #include <cmath>
@@ -14,6 +15,8 @@
 #include "app/actions/hit_actions.h"
 #include "mesh/primitives.h"
 #include "models/hit_history_model.h"
+#include "panels/fields/number_box.h"
+#include "panels/hit_history/hit_history_panel.h"
 #include "panels/hit_inspector/hit_inspector_panel.h"
 #include "support/test_program.h"
 #include "viewport/handles/handle_grip.h"
@@ -157,6 +160,49 @@ private Q_SLOTS:
         QVERIFY(hit(1).flight == glm::vec3(0.0f));
     }
 
+    /// Of several hits only the angle that is edited becomes the same.
+    void anAngleIsTypedForHitsThatDiffer() {
+        Hit third = hit(1);
+        third.direction = {0.0f, -1.0f, 0.0f};  // which has no azimuth
+        QVERIFY(m_session->hits().add(third));
+        Hit turned = hit(1);
+        turned.direction = glm::normalize(glm::vec3(0.3f, -0.6f, -0.5f));
+        QVERIFY(m_session->hits().replace(1, turned));
+        m_session->hits().select(1);
+        HitEditing& editing = m_window->findChild<HitActions*>()->editing();
+        m_window->findChild<HitHistoryPanel*>()->findChild<QTableView*>(QStringLiteral("table"))->selectAll();
+        QCOMPARE(editing.rows().size(), std::size_t{3});
+        const std::vector<Hit> before = {hit(0), hit(1), hit(2)};
+        type("azimuth", QStringLiteral("40"));
+        QCOMPARE(editing.rows().size(), std::size_t{3});
+        for (std::size_t i = 0; i < 2; ++i) {
+            QVERIFY(std::abs(hit(i).direction.y - before[i].direction.y) < 1.0e-5f);
+            QVERIFY(std::abs(azimuthOf(hit(i)) - 40.0) < 1.0e-3);
+        }
+        QVERIFY(hit(2) == before[2]);
+        m_session->undo();
+        QVERIFY(hit(1) == before[1]);
+        type("elevation", QStringLiteral("-20"));
+        for (std::size_t i = 0; i < 2; ++i) {
+            QVERIFY(std::abs(azimuthOf(hit(i)) - azimuthOf(before[i])) < 1.0e-3);
+            QVERIFY(std::abs(hit(i).direction.y + std::sin(0.349066f)) < 1.0e-5f);
+        }
+        QVERIFY(!child<NumberBox>("elevation")->differs());
+        QVERIFY(child<NumberBox>("azimuth")->differs());
+        // A slider may pass where no azimuth is left.
+        m_session->undo();
+        auto* slider = child<QSlider>("elevationSlider");
+        slider->setSliderDown(true);
+        for (const int degrees : {-89, -90, -40}) {
+            slider->setValue(degrees);
+            QVERIFY(viewport().syncNow().ok());
+            QTest::qWait(20);
+        }
+        slider->setSliderDown(false);
+        QVERIFY(std::abs(azimuthOf(hit(0)) - azimuthOf(before[0])) < 1.0e-2);
+        QVERIFY(std::abs(azimuthOf(hit(1)) - azimuthOf(before[1])) < 1.0e-2);
+    }
+
     // A unit vector's square is rounded, by more for some directions than for others.
     void everyDirectionIsAsShotFirst() {
         Hit hit = this->hit(1);
@@ -238,6 +284,18 @@ private:
     const Hit& hit(std::size_t index) const { return m_session->hits().history().hits()[index]; }
     std::size_t changed() const {
         return m_session->targets().front()->deformed.statistics().changedVertices;
+    }
+    void type(const char* name, const QString& text) {
+        auto* box = child<QDoubleSpinBox>(name);
+        box->setFocus();
+        box->findChild<QLineEdit*>()->selectAll();
+        QTest::keyClicks(box, text);
+        QTest::keyClick(box, Qt::Key_Return);
+    }
+    /// Degrees.
+    static double azimuthOf(const Hit& hit) {
+        return 57.29577951308232 *
+               std::atan2(static_cast<double>(hit.direction.x), static_cast<double>(hit.direction.z));
     }
     /// Outwards from the hit's point by that many pixels.
     void drag(const QString& name, int pixels, bool escape = false) {

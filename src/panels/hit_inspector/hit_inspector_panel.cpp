@@ -169,8 +169,18 @@ void HitInspectorPanel::showForm(const Hit& hit) {
 void HitInspectorPanel::makeDirection() {
     m_direction = new DirectionFields(
         {m_ui->azimuth, m_ui->azimuthSlider, m_ui->elevation, m_ui->elevationSlider}, this);
-    connect(m_direction, &DirectionFields::edited, this, [this](const glm::vec3& direction) {
-        m_editing.change(Direction, [direction](Hit& hit) { turn(hit, direction); });
+    connect(m_direction, &DirectionFields::azimuthEdited, this, [this](double degrees) {
+        m_editing.change(Direction, [degrees](Hit& hit) {
+            if (const glm::vec3 direction = withAzimuth(hit.direction, degrees); direction != hit.direction) {
+                turn(hit, direction);
+            }
+        });
+    });
+    connect(m_direction, &DirectionFields::elevationEdited, this, [this](double degrees) {
+        const double azimuth = m_direction->azimuth();
+        m_editing.change(Elevation, [degrees, azimuth](Hit& hit) {
+            turn(hit, withElevation(hit.direction, degrees, azimuth));
+        });
     });
     connect(m_direction, &DirectionFields::finished, &m_editing, &HitEditing::endGesture);
     connect(m_ui->asShot, &QToolButton::clicked, this, [this] { once(Direction, turnBack); });
@@ -306,11 +316,9 @@ void HitInspectorPanel::once(int part, const HitEditing::Edit& edit) {
 }
 
 void HitInspectorPanel::showDirection(const Hit& hit) {
-    const auto direction = [](const Hit& one) { return one.direction; };
     m_direction->show(hit.direction);
-    if (!isSame(hit, direction)) {
-        m_direction->showDiffering();
-    }
+    m_direction->showDiffering(!isSame(hit, [](const Hit& one) { return azimuthOf(one.direction); }),
+                               !isSame(hit, [](const Hit& one) { return elevationOf(one.direction); }));
     m_ui->asShot->setChecked(isAlong(hit.direction, flightOf(hit)));
     m_ui->intoSurface->setChecked(knowsSurface(hit) && isAlong(hit.direction, -hit.normal));
     enableIf(*m_ui->intoSurface, knowsSurface(hit),

@@ -36,7 +36,18 @@ public:
 
 private:
     /// What HitEditing tells gestures apart by; the constants come first.
-    enum Part : int { Preset = 3, Direction, PointX, PointY, PointZ, Profile, Push, Radius, Curve };
+    enum Part : int {
+        Preset = 3,
+        Direction,
+        Elevation,
+        PointX,
+        PointY,
+        PointZ,
+        Profile,
+        Push,
+        Radius,
+        Curve
+    };
 
     void makeEditors();
     void makeForm();
