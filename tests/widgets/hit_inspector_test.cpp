@@ -3,10 +3,12 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
+#include <QInputDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QSlider>
 #include <QTableView>
+#include <QTimer>
 #include <QToolButton>
 #include <algorithm>
 #include <cmath>
@@ -203,6 +205,30 @@ private Q_SLOTS:
         QVERIFY(std::abs(azimuthOf(hit(1)) - azimuthOf(before[1])) < 1.0e-2);
     }
 
+    void savedPresetsAreListedAtOnce() {
+        m_session->hits().select(0);
+        auto* preset = child<QComboBox>("preset");
+        DeformationConstants constants;
+        constants.power = 0.0321f;
+        QVERIFY(m_session->settings().setConstants(constants));
+        QTimer::singleShot(0, this, [] {
+            auto* asked = qobject_cast<QInputDialog*>(QApplication::activeModalWidget());
+            QVERIFY(asked != nullptr);
+            asked->setTextValue(QStringLiteral("Mine"));
+            asked->accept();
+        });
+        action("Save as Preset…")->trigger();
+        const int mine = preset->findText(QStringLiteral("Mine"));
+        QVERIFY(mine >= 0);
+        QVERIFY(preset->currentIndex() != mine);
+        Q_EMIT preset->activated(mine);
+        QCOMPARE(hit(0).constants.power, 0.0321f);
+        QCOMPARE(preset->currentText(), QStringLiteral("Mine"));
+        action("Delete Preset")->trigger();
+        QCOMPARE(preset->findText(QStringLiteral("Mine")), -1);
+        QCOMPARE(preset->currentText(), QString());
+    }
+
     // A unit vector's square is rounded, by more for some directions than for others.
     void everyDirectionIsAsShotFirst() {
         Hit hit = this->hit(1);
@@ -284,6 +310,13 @@ private:
     const Hit& hit(std::size_t index) const { return m_session->hits().history().hits()[index]; }
     std::size_t changed() const {
         return m_session->targets().front()->deformed.statistics().changedVertices;
+    }
+    QAction* action(const char* text) {
+        const QList<QAction*> actions = m_window->findChildren<QAction*>();
+        const auto found = std::find_if(actions.begin(), actions.end(), [text](const QAction* one) {
+            return one->text() == QString::fromUtf8(text);
+        });
+        return found != actions.end() ? *found : nullptr;
     }
     void type(const char* name, const QString& text) {
         auto* box = child<QDoubleSpinBox>(name);

@@ -109,10 +109,10 @@ void WindowDocks::make(Docks& docks) {
     docks.scene = makeSceneDock();
     docks.history = makeHistoryDock();
     docks.vertices = makeVertexChangesDock();
-    docks.constants =
-        add(QStringLiteral("deformationConstants"), tr("Deformation constants"),
-            new DeformationConstantsPanel(session, m_parts.actions.hits->editing()), Qt::RightDockWidgetArea);
-    docks.hit = makeHitDock();
+    auto* constants = new DeformationConstantsPanel(session, m_parts.actions.hits->editing());
+    docks.constants = add(QStringLiteral("deformationConstants"), tr("Deformation constants"), constants,
+                          Qt::RightDockWidgetArea);
+    docks.hit = makeHitDock(*constants);
     docks.lights =
         add(QStringLiteral("lights"), tr("Lights"), new LightsPanel(session), Qt::RightDockWidgetArea);
     docks.frameRate = makeFrameRateDock();
@@ -208,9 +208,10 @@ QDockWidget* WindowDocks::makeVertexChangesDock() {
     return add(QStringLiteral("vertexChanges"), tr("Vertex changes"), panel, Qt::BottomDockWidgetArea);
 }
 
-QDockWidget* WindowDocks::makeHitDock() {
+QDockWidget* WindowDocks::makeHitDock(const DeformationConstantsPanel& constants) {
     auto* panel = new HitInspectorPanel(m_parts.session, m_parts.actions.hits->editing());
     QDockWidget* dock = add(QStringLiteral("hit"), tr("Hit"), panel, Qt::RightDockWidgetArea);
+    connect(&constants, &DeformationConstantsPanel::presetsChanged, panel, &HitInspectorPanel::followPresets);
     connect(m_historyPanel, &HitHistoryPanel::editWanted, panel, [dock, panel] {
         dock->show();
         dock->raise();

@@ -19,6 +19,7 @@ class QSettings;
 namespace hitscope {
 
 struct AppSettings;
+class DeformationConstantsPanel;
 class FrameRatePanel;
 class HitEffects;
 class HitHistoryPanel;
@@ -73,7 +74,7 @@ private:
     QDockWidget* makeStatisticsDock();
     QDockWidget* makeSceneDock();
     QDockWidget* makeHistoryDock();
-    QDockWidget* makeHitDock();
+    QDockWidget* makeHitDock(const DeformationConstantsPanel& constants);
     QDockWidget* makeVertexChangesDock();
     QDockWidget* makeFrameRateDock();
     QDockWidget* makeAgreementDock();

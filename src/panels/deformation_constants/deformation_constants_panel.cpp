@@ -282,6 +282,7 @@ void DeformationConstantsPanel::savePreset() {
     m_presets.store(*ChangedSettings());
     listPresets();
     showConstants();
+    Q_EMIT presetsChanged();
 }
 
 void DeformationConstantsPanel::deletePreset() {
@@ -290,6 +291,7 @@ void DeformationConstantsPanel::deletePreset() {
         m_presets.store(*ChangedSettings());
         listPresets();
         showConstants();
+        Q_EMIT presetsChanged();
     }
 }
 

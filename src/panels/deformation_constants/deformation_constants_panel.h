@@ -28,6 +28,9 @@ public:
     DeformationConstantsPanel(Session& session, HitEditing& editing, QWidget* parent = nullptr);
     ~DeformationConstantsPanel() override;
 
+Q_SIGNALS:
+    void presetsChanged();  ///< one was saved or deleted
+
 private:
     void makeEditors();
     void makeForm();

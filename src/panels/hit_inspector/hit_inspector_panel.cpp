@@ -65,10 +65,7 @@ HitInspectorPanel::HitInspectorPanel(Session& session, HitEditing& editing, QWid
     makePoint();
     listPresets();
     connect(m_ui->preset, &QComboBox::activated, this, &HitInspectorPanel::choosePreset);
-    connect(&editing, &HitEditing::rowsChanged, this, [this] {
-        listPresets();
-        show();
-    });
+    connect(&editing, &HitEditing::rowsChanged, this, &HitInspectorPanel::followPresets);
     connect(&editing, &HitEditing::edited, this, &HitInspectorPanel::show);
     connect(&editing, &HitEditing::refused, this,
             [this](const Error& error) { m_ui->problem->setText(QString::fromStdString(error.what)); });
@@ -85,6 +82,11 @@ void HitInspectorPanel::editFirst() {
         box->setFocus();
         box->selectAll();
     }
+}
+
+void HitInspectorPanel::followPresets() {
+    listPresets();
+    show();
 }
 
 void HitInspectorPanel::makeEditors() {

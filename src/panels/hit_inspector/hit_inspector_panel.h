@@ -32,7 +32,8 @@ public:
     HitInspectorPanel(Session& session, HitEditing& editing, QWidget* parent = nullptr);
     ~HitInspectorPanel() override;
 
-    void editFirst();  ///< gives the first box the focus
+    void editFirst();      ///< gives the first box the focus
+    void followPresets();  ///< there are others now
 
 private:
     /// What HitEditing tells gestures apart by; the constants come first.
