@@ -34,6 +34,21 @@ private Q_SLOTS:
         m_other->setFocus();
     }
 
+    /// Where it stood for several, the number that is typed or stepped to is shown at once.
+    void typedForSeveral() {
+        m_box->showDiffering();
+        m_box->setFocus();
+        m_box->selectAll();
+        QTest::keyClicks(m_box, QStringLiteral("0.25"));
+        m_box->interpretText();
+        QVERIFY(!m_box->differs());
+        QCOMPARE(m_box->text(), QStringLiteral("0.25 m"));
+        m_box->showDiffering();
+        m_box->stepUp();
+        QVERIFY(m_box->text() != QStringLiteral("0.25 m"));
+        QVERIFY(!m_box->text().startsWith(QStringLiteral("differ")));
+    }
+
     void takesWhatPeopleType_data() {
         QTest::addColumn<QString>("typed");
         QTest::addColumn<double>("metres");

@@ -65,7 +65,9 @@ NumberBox::NumberBox(QWidget* parent) : QDoubleSpinBox(parent) {
     setDecimals(kDecimals);
     setKeyboardTracking(false);
     connect(this, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-        m_differs = false;
+        if (std::exchange(m_differs, false)) {
+            showText();  // Qt has just shown again that they differ
+        }
         Q_EMIT edited(value);
     });
     lineEdit()->installEventFilter(this);
