@@ -95,8 +95,19 @@ bool BrushTool::eventFilter(QObject* watched, QEvent* event) {
             m_isInside = false;
             hideRing();
             return false;
+        case QEvent::WindowBlocked:
+            letGo();
+            return false;
         default:
             return false;
+    }
+}
+
+/// The mouse draws no more of the stroke.
+void BrushTool::letGo() {
+    if (m_stroke && !m_stroke->isReleased) {
+        m_stroke->isReleased = true;
+        m_paintTimer.start();
     }
 }
 
@@ -128,6 +139,9 @@ bool BrushTool::move(const QMouseEvent& event) {
     if (!m_ringTimer.isActive()) {
         m_ringTimer.start();
     }
+    if (!event.buttons().testFlag(Qt::LeftButton)) {
+        letGo();  // another window got the release
+    }
     if (!m_stroke || m_stroke->isReleased) {
         return false;
     }
@@ -143,8 +157,7 @@ bool BrushTool::release(const QMouseEvent& event) {
         return false;
     }
     if (event.button() == Qt::LeftButton) {
-        m_stroke->isReleased = true;
-        m_paintTimer.start();
+        letGo();
     }
     return true;
 }

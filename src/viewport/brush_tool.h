@@ -81,6 +81,7 @@ private:
     bool press(const QMouseEvent& event);
     bool move(const QMouseEvent& event);
     bool release(const QMouseEvent& event);
+    void letGo();
     bool keyPress(const QKeyEvent& event);
     bool wheel(const QWheelEvent& event);
     void change(bool strength, double factor);

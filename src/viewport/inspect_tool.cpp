@@ -106,6 +106,9 @@ bool InspectTool::eventFilter(QObject* watched, QEvent* event) {
         case QEvent::Leave:
             leave();
             return false;
+        case QEvent::WindowBlocked:
+            letGo();
+            return false;
         default:
             return false;
     }
@@ -123,6 +126,9 @@ bool InspectTool::press(const QMouseEvent& event) {
 }
 
 bool InspectTool::move(const QMouseEvent& event) {
+    if (!event.buttons().testFlag(Qt::LeftButton)) {
+        letGo();
+    }
     if (m_drag == Drag::None) {
         if (m_tool == Tool::Inspect && event.buttons() == Qt::NoButton) {
             hover(event.position());
@@ -171,19 +177,29 @@ bool InspectTool::release(const QMouseEvent& event) {
     if (m_drag == Drag::None || event.button() != Qt::LeftButton) {
         return m_drag != Drag::None;
     }
+    if (m_drag == Drag::Undecided) {
+        endDrag();
+        click(event.position(), m_pressedWith);
+    } else {
+        letGo();
+    }
+    return true;
+}
+
+/// The drag has come as far as it goes; without one, no click comes of the press.
+void InspectTool::letGo() {
+    if (m_drag == Drag::None) {
+        return;
+    }
     const Drag drag = m_drag;
     const QPolygonF drawn = m_drawn;
     endDrag();
-    if (drag == Drag::Undecided) {
-        click(event.position(), m_pressedWith);
-    } else if (drag == Drag::Outline) {
+    if (drag == Drag::Outline) {
         selectWithin(drawn, combineOf(m_pressedWith));
-    } else {
-        QMouseEvent end(QEvent::MouseButtonRelease, event.position(), event.globalPosition(), Qt::LeftButton,
-                        Qt::NoButton, Qt::NoModifier);
-        m_viewport.navigation().release(end);
+    } else if (drag == Drag::Camera) {
+        m_viewport.navigation().release(
+            {QEvent::MouseButtonRelease, {}, {}, Qt::LeftButton, Qt::NoButton, Qt::NoModifier});
     }
-    return true;
 }
 
 bool InspectTool::keyPress(const QKeyEvent& event) {

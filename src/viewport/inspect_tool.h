@@ -71,6 +71,7 @@ private:
     void beginDrag(const QMouseEvent& event);
     void extendOutline(const QPointF& to);
     void endDrag();
+    void letGo();
     void click(const QPointF& position, Qt::KeyboardModifiers modifiers);
     void selectWithin(const QPolygonF& outline, VertexSelection::Combine combine);
     void leave();
@@ -86,8 +87,8 @@ private:
     Tool m_tool = Tool::Shoot;
     Outline m_outline = Outline::Rectangle;
     bool m_selectsHidden = false;
-
     bool m_isOnWipeLine = false;
+
     Drag m_drag = Drag::None;
     QPointF m_pressedAt;
     Qt::KeyboardModifiers m_pressedWith;

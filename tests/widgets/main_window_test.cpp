@@ -7,6 +7,7 @@
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QStatusBar>
 #include <QTableView>
 #include <QTreeView>
 #include <QUrl>

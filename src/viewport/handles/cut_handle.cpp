@@ -35,6 +35,7 @@ CutHandle::CutHandle(Viewport& viewport) : QWidget(&viewport), m_viewport(viewpo
     setAttribute(Qt::WA_NoSystemBackground);
     setFocusPolicy(Qt::NoFocus);
     setCursor(Qt::OpenHandCursor);
+    setMouseTracking(true);
     setToolTip(tr("Drag to move the cutting plane; Ctrl: round offsets"));
     resize(kSize, kSize);
     setMask(QRegion(rect(), QRegion::Ellipse));
@@ -140,9 +141,19 @@ float CutHandle::moved(const Drag& drag, const QPointF& to) const {
     return nearestAlong(navigation.rayInFirst(to), drag.middle, cut.normal) - from;
 }
 
+bool CutHandle::event(QEvent* event) {
+    if (event->type() == QEvent::WindowBlocked) {
+        endDrag();
+    }
+    return QWidget::event(event);
+}
+
 void CutHandle::mouseMoveEvent(QMouseEvent* event) {
+    if (!event->buttons().testFlag(Qt::LeftButton)) {
+        endDrag();  // another window got the release
+    }
     if (!m_drag) {
-        event->ignore();  // the camera's
+        event->setAccepted(event->buttons() == Qt::NoButton);  // a drag is the camera's
         return;
     }
     const OffsetRange range = offsetRange(m_bounds, m_viewport.options().cut.normal);

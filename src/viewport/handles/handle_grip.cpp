@@ -21,6 +21,7 @@ HandleGrip::HandleGrip(QWidget& over, const QString& name, const QString& toolTi
     setAttribute(Qt::WA_NoSystemBackground);
     setFocusPolicy(Qt::NoFocus);
     setCursor(Qt::OpenHandCursor);
+    setMouseTracking(true);
     resize(kGripSize, kGripSize);
     setMask(QRegion(rect(), QRegion::Ellipse));
     hide();
@@ -69,9 +70,26 @@ void HandleGrip::mousePressEvent(QMouseEvent* event) {
     Q_EMIT taken();
 }
 
+bool HandleGrip::event(QEvent* event) {
+    if (event->type() == QEvent::WindowBlocked) {
+        release();
+    }
+    return QWidget::event(event);
+}
+
+void HandleGrip::release() {
+    if (m_isHeld) {
+        letGo();
+        Q_EMIT released();
+    }
+}
+
 void HandleGrip::mouseMoveEvent(QMouseEvent* event) {
+    if (!event->buttons().testFlag(Qt::LeftButton)) {
+        release();  // another window got the button's
+    }
     if (!m_isHeld) {
-        event->ignore();  // the camera's
+        event->setAccepted(event->buttons() == Qt::NoButton);  // a drag is the camera's
         return;
     }
     Q_EMIT draggedTo(parentWidget()->mapFromGlobal(event->globalPosition()) + m_offset, event->modifiers());
@@ -82,8 +100,7 @@ void HandleGrip::mouseReleaseEvent(QMouseEvent* event) {
         event->ignore();
         return;
     }
-    letGo();
-    Q_EMIT released();
+    release();
 }
 
 void HandleGrip::enterEvent(QEnterEvent*) {

@@ -30,6 +30,7 @@ Q_SIGNALS:
     void released();
 
 protected:
+    bool event(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
@@ -38,6 +39,8 @@ protected:
     void leaveEvent(QEvent* event) override;
 
 private:
+    void release();
+
     QColor m_colour;
     bool m_isHollow = false;
     QPointF m_centre;

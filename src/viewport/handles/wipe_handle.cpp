@@ -47,6 +47,7 @@ bool WipeHandle::eventFilter(QObject* watched, QEvent* event) {
     }
     if (event->type() == QEvent::MouseMove) {
         const auto& mouse = *static_cast<QMouseEvent*>(event);
+        m_held = m_held && mouse.buttons().testFlag(Qt::LeftButton);  // another window may get the release
         if (m_held) {
             const double at = (mouse.position().x() - m_heldLeft) / pictureWidth();
             Q_EMIT dragged(static_cast<float>(std::clamp(at, 0.0, 1.0)));
@@ -54,6 +55,9 @@ bool WipeHandle::eventFilter(QObject* watched, QEvent* event) {
         }
         m_viewport.inspectTool().setOnWipeLine(isAt(mouse) && mouse.buttons() == Qt::NoButton);
         return false;
+    }
+    if (event->type() == QEvent::WindowBlocked) {
+        m_held = false;
     }
     if (event->type() == QEvent::MouseButtonRelease && m_held) {
         m_held = false;
