@@ -75,13 +75,12 @@ PictureActions::PictureActions(Viewport& viewport, QWidget& window)
     connect(&m_sequences, &SequenceWriter::sampled, this, &PictureActions::showProgress);
     connect(&m_sequences, &SequenceWriter::ended, this, [this](int written) {
         endProgress();
-        if (const QString made = std::exchange(m_newFolder, {}); written == 0 && !made.isEmpty()) {
-            QDir().rmdir(made);
-        }
+        leaveNewFolder();
         Q_EMIT said(endedText(written));
     });
     connect(&m_sequences, &SequenceWriter::failed, this, [this](const Error& error) {
         endProgress();
+        leaveNewFolder();
         Q_EMIT failed(error);
     });
 }
@@ -179,21 +178,36 @@ SequenceWriter::Plan PictureActions::turntablePlan() const {
     return {request, kTurntablePictures, {}, baseName() + QStringLiteral("-turntable")};
 }
 
+bool PictureActions::makeNewFolder(SequenceWriter::Plan& plan, const QString& parent, const QString& name) {
+    const QDir beside(parent);
+    QString free = name;
+    for (int number = 2; beside.exists(free); ++number) {
+        free = QStringLiteral("%1-%2").arg(name, QString::number(number));
+    }
+    leaveNewFolder();
+    plan.folder = beside.filePath(free);
+    if (!beside.mkpath(plan.folder)) {
+        return false;
+    }
+    m_newFolder = plan.folder;
+    return true;
+}
+
+/// It goes where nothing was written into it.
+void PictureActions::leaveNewFolder() {
+    if (const QString made = std::exchange(m_newFolder, {}); !made.isEmpty()) {
+        QDir().rmdir(made);  // which leaves one alone that is not empty
+    }
+}
+
 void PictureActions::saveTurntable() {
     SequenceWriter::Plan plan = turntablePlan();
-    const QDir pictures(pictureFolder());
-    QString name = plan.base;
-    for (int number = 2; pictures.exists(name); ++number) {
-        name = QStringLiteral("%1-%2").arg(plan.base, QString::number(number));
-    }
-    plan.folder = pictures.filePath(name);
-    if (!pictures.mkpath(plan.folder)) {
+    if (makeNewFolder(plan, pictureFolder(), plan.base)) {
+        writeSequence(plan);
+    } else {
         Q_EMIT failed({"The folder for the turntable cannot be made.", plan.folder.toStdString(),
                        "File > Save Picture As writes elsewhere, and later turntables beside it."});
-        return;
     }
-    writeSequence(plan);
-    m_newFolder = plan.folder;
 }
 
 PictureRequest PictureActions::requestOf(const PictureDialog& dialog) const {
@@ -243,11 +257,18 @@ void PictureActions::chooseSequence() {
         return;
     }
     dialog.save(*ChangedSettings());
-    const QString folder =
-        QFileDialog::getExistingDirectory(&m_window, tr("Folder for the pictures"), existingFolder());
-    if (!folder.isEmpty()) {
-        rememberFolder(folder);
-        writeSequence({requestOf(dialog), dialog.turntable(), folder, baseName()});
+    const QString folder = QFileDialog::getExistingDirectory(
+        &m_window, tr("Where to put the folder of pictures"), existingFolder());
+    if (folder.isEmpty()) {
+        return;
+    }
+    rememberFolder(folder);
+    SequenceWriter::Plan plan{requestOf(dialog), dialog.turntable(), {}, baseName()};
+    if (makeNewFolder(plan, folder, plan.base + QStringLiteral("-sequence"))) {
+        writeSequence(plan);
+    } else {
+        Q_EMIT failed({"The folder for the pictures cannot be made.", plan.folder.toStdString(),
+                       "Choose a folder that you may write to."});
     }
 }
 
@@ -277,6 +298,7 @@ void PictureActions::showProgress(int done, int count) {
 
 void PictureActions::writeSequence(const SequenceWriter::Plan& plan) {
     if (Status started = m_sequences.start(plan); !started) {
+        leaveNewFolder();
         Q_EMIT failed(started.error());
         return;
     }

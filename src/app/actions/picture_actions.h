@@ -46,6 +46,9 @@ Q_SIGNALS:
 private:
     void choosePicture();
     void chooseSequence();
+    /// Of that name, or with a number behind it; plan.folder in any case. Returns whether it could.
+    bool makeNewFolder(SequenceWriter::Plan& plan, const QString& parent, const QString& name);
+    void leaveNewFolder();
     void showProgress(int done, int count);
     void endProgress();
     [[nodiscard]] QString endedText(int written) const;
