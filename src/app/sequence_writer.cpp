@@ -32,6 +32,8 @@ Status SequenceWriter::start(const Plan& plan) {
     m_drawn = 0;
     m_samples = 0;
     m_written = 0;
+    m_waiting = 0;
+    m_problem.reset();
     ++m_run;
     Status made = m_viewport.scene().with([this](SceneGpu& scene) -> Status {
         if (m_plan.turntable > 0) {
@@ -53,7 +55,7 @@ Status SequenceWriter::start(const Plan& plan) {
 }
 
 void SequenceWriter::step() {
-    if (!isRunning() || m_drawn >= m_count || m_drawn - m_written >= kMostWaiting) {
+    if (!isRunning() || m_drawn >= m_count || m_waiting >= kMostWaiting) {
         return;  // took() goes on
     }
     Status drawn = m_viewport.scene().with([this](SceneGpu&) -> Status {
@@ -68,8 +70,9 @@ void SequenceWriter::step() {
         return Done{};
     });
     if (!drawn) {
+        m_problem = drawn.error();
         stop();
-        Q_EMIT failed(drawn.error());
+        finish();
         return;
     }
     QTimer::singleShot(0, this, &SequenceWriter::step);
@@ -83,6 +86,7 @@ void SequenceWriter::step() {
 void SequenceWriter::write(const Image& image) {
     const QString path =
         !m_plan.path.isEmpty() ? m_plan.path : sequencePath(m_plan.folder, m_plan.base, m_drawn, m_count);
+    ++m_waiting;
     m_writers.start([this, image, path, run = m_run] {
         const Status saved = savePicture(image, path);
         QMetaObject::invokeMethod(
@@ -91,22 +95,27 @@ void SequenceWriter::write(const Image& image) {
 }
 
 void SequenceWriter::took(int run, const Status& saved) {
-    if (run != m_run || !isRunning()) {
+    if (run != m_run) {
         return;
     }
-    if (!saved) {
+    --m_waiting;
+    if (saved) {
+        ++m_written;
+    } else {
+        m_problem = m_problem ? m_problem : saved.error();
         stop();
-        Q_EMIT failed(saved.error());
+    }
+    if (!isRunning()) {
+        finish();
         return;
     }
-    ++m_written;
     Q_EMIT progressed(m_written, m_count);
-    if (!isRunning()) {
+    if (run != m_run || !isRunning()) {
         return;  // who shows it handled events, among them the last picture or a click on Cancel
     }
     if (m_written == m_count) {
         stop();
-        Q_EMIT ended(m_written);
+        finish();
     } else {
         QTimer::singleShot(0, this, &SequenceWriter::step);
     }
@@ -115,7 +124,19 @@ void SequenceWriter::took(int run, const Status& saved) {
 void SequenceWriter::cancel() {
     if (isRunning()) {
         stop();
-        Q_EMIT ended(m_drawn);  // the last ones are being written
+        finish();
+    }
+}
+
+/// Once what was drawn is written, which took() calls it for again.
+void SequenceWriter::finish() {
+    if (m_waiting > 0) {
+        return;
+    }
+    if (m_problem) {
+        Q_EMIT failed(Error(*m_problem));  // a copy: the next run may begin meanwhile
+    } else {
+        Q_EMIT ended(m_written);
     }
 }
 

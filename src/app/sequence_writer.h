@@ -34,20 +34,21 @@ public:
     [[nodiscard]] const Plan& plan() const { return m_plan; }  ///< the last one
     [[nodiscard]] int count() const { return m_count; }        ///< of its pictures
     [[nodiscard]] bool isRunning() const { return m_sequence.has_value(); }
-    void cancel();  ///< pictures already written stay
+    /// Pictures already drawn are still written. ended() comes when they are.
+    void cancel();
 
 Q_SIGNALS:
     void progressed(int written, int count);
     void sampled(int drawn, int count);  ///< samples of pictures that have more than one
-    /// All of them, or as many as were drawn when it was cancelled, of which the last are still being
-    /// written.
+    /// Nothing is being written any more: all of them are, or those that were drawn when it was cancelled.
     void ended(int written);
-    void failed(const hitscope::Error& error);
+    void failed(const hitscope::Error& error);  ///< likewise, less those that could not be drawn or written
 
 private:
     void step();
     void write(const Image& image);
     void took(int run, const Status& saved);
+    void finish();
     void stop();
 
     Viewport& m_viewport;
@@ -59,6 +60,8 @@ private:
     int m_drawn = 0;
     int m_samples = 0;  ///< drawn, of all pictures
     int m_written = 0;
+    int m_waiting = 0;               ///< drawn, and being written
+    std::optional<Error> m_problem;  ///< of the run, which it ends
 };
 
 }  // namespace hitscope

@@ -73,6 +73,24 @@ private Q_SLOTS:
         QVERIFY(left().isEmpty());
     }
 
+    /// Pictures that are drawn are not written yet.
+    void aCancelledOneSaysWhatIsWritten() {
+        QSettings().setValue(QStringLiteral("picture/size"), QSize(1600, 1200));
+        QSettings().setValue(QStringLiteral("picture/turntable"), 5000);
+        int written = -1;
+        uint files = 0;
+        connect(&pictures().sequences(), &SequenceWriter::ended, this, [&](int count) {
+            written = count;
+            files = filesIn(m_name + QStringLiteral("-sequence")).count();
+        });
+        chooseSequence();
+        QTRY_VERIFY_WITH_TIMEOUT(filesIn(m_name + QStringLiteral("-sequence")).count() > 1, kPatience);
+        pictures().sequences().cancel();
+        QVERIFY(!pictures().sequences().isRunning());
+        QTRY_VERIFY_WITH_TIMEOUT(written > 0, kPatience);
+        QCOMPARE(static_cast<uint>(written), files);
+    }
+
 private:
     PictureActions& pictures() { return *m_window->findChild<PictureActions*>(); }
     QDir filesIn(const QString& name) const {
