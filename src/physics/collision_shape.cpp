@@ -93,6 +93,14 @@ Result<std::unique_ptr<CollisionShape>> CollisionShape::make(const Collider& col
     return shape;
 }
 
+std::unique_ptr<CollisionShape> CollisionShape::copy() const {
+    std::unique_ptr<CollisionShape> other = std::move(make(m_collider)).value();
+    if (m_mesh) {
+        other->m_mesh->surface() = MeshSurface(m_mesh->surface());
+    }
+    return other;
+}
+
 Status CollisionShape::takeBox(const BoxCollider& box) {
     const float smallest = std::min({box.halfExtent.x, box.halfExtent.y, box.halfExtent.z});
     if (!isUsable(box.halfExtent) || !(smallest > 0.0f)) {
@@ -152,20 +160,19 @@ Bounds CollisionShape::bounds() const {
     return {-reach, reach};
 }
 
-bool CollisionShape::update(std::uint32_t first, std::span<const DynamicVertex> vertices) {
+CollisionShape::Change CollisionShape::update(std::uint32_t first, std::span<const DynamicVertex> vertices) {
     const btCollisionShape* before = bullet();
-    if (m_mesh) {
-        m_mesh->surface().update(first, vertices);
-    }
-    return bullet() != before;
+    const bool moved = m_mesh && m_mesh->surface().update(first, vertices);
+    return {moved, bullet() != before};
 }
 
-bool CollisionShape::reset() {
+CollisionShape::Change CollisionShape::reset() {
     const btCollisionShape* before = bullet();
-    if (m_mesh) {
+    const bool moved = m_mesh && m_mesh->surface().isDented();
+    if (moved) {
         m_mesh->surface().reset();
     }
-    return bullet() != before;
+    return {moved, bullet() != before};
 }
 
 std::optional<SurfaceCast> CollisionShape::cast(const glm::dvec3& start, const glm::dvec3& motion,

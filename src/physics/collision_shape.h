@@ -27,15 +27,22 @@ public:
     /// or too large.
     [[nodiscard]] static Result<std::unique_ptr<CollisionShape>> make(const Collider& collider);
 
-    /// What Bullet shall collide with; another one after update() or reset() returned true.
+    /// Another one that is now the same.
+    [[nodiscard]] std::unique_ptr<CollisionShape> copy() const;
+
+    /// What Bullet shall collide with; another one after update() or reset() said so.
     [[nodiscard]] btCollisionShape* bullet() const;
     /// The origin of Bullet's frame in the local one; the body turns about it.
     [[nodiscard]] const glm::vec3& centre() const { return m_centre; }
     [[nodiscard]] Bounds bounds() const;  ///< local frame
 
-    /// The mesh's vertices [first, first + vertices.size()) are now there. Returns whether bullet() changed.
-    [[nodiscard]] bool update(std::uint32_t first, std::span<const DynamicVertex> vertices);
-    [[nodiscard]] bool reset();
+    struct Change {
+        bool moved = false;      ///< a vertex is not where it was
+        bool isAnother = false;  ///< bullet() is another one
+    };
+    /// The mesh's vertices [first, first + vertices.size()) are now there.
+    Change update(std::uint32_t first, std::span<const DynamicVertex> vertices);
+    Change reset();
     /// What the floor and other targets meet follows the mesh. Returns whether it became another one.
     bool followSurface() { return m_mesh && m_mesh->followSurface(); }
 

@@ -94,9 +94,9 @@ private:
 MeshSurface::MeshSurface(std::shared_ptr<const CollisionMesh> original)
     : m_original(std::move(original)), m_at(m_original->vertices()), m_tree(m_original->tree()) {}
 
-void MeshSurface::update(std::uint32_t first, std::span<const DynamicVertex> vertices) {
+bool MeshSurface::update(std::uint32_t first, std::span<const DynamicVertex> vertices) {
     if (first > m_at.size() || vertices.size() > m_at.size() - first) {
-        return;
+        return false;
     }
     m_runs.clear();
     for (std::size_t i = 0; i < vertices.size();) {
@@ -116,6 +116,7 @@ void MeshSurface::update(std::uint32_t first, std::span<const DynamicVertex> ver
         m_tree.refit(m_at, m_runs);
         findDent();
     }
+    return !m_runs.empty();
 }
 
 /// Of vertices in one run. Returns where those were that moved; empty: none did.

@@ -29,8 +29,8 @@ public:
     explicit MeshSurface(std::shared_ptr<const CollisionMesh> original);
 
     /// Vertices [first, first + vertices.size()) are now there; out of range: ignored. Costs by the triangles
-    /// around those that moved.
-    void update(std::uint32_t first, std::span<const DynamicVertex> vertices);
+    /// around those that moved. Returns whether any did.
+    bool update(std::uint32_t first, std::span<const DynamicVertex> vertices);
     void reset();                                               ///< to the original
     [[nodiscard]] bool isDented() const { return m_isDented; }  ///< a vertex is not where it was
     [[nodiscard]] Bounds bounds() const { return m_tree.bounds(); }

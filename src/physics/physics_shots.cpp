@@ -153,13 +153,13 @@ bool PhysicsWorld::isApproached(TargetId target, float reach) const {
 }
 
 std::optional<SurfacePoint> PhysicsWorld::Private::surfacePoint(TargetId target, const glm::vec3& from,
-                                                                int triangle) const {
+                                                                int triangle, Use use) const {
     const auto found = targets.find(target);
     if (found == targets.end()) {
         return std::nullopt;
     }
     const RigidTransform& transform = found->second.transform;
-    const auto local = found->second.shape->nearest(transform.toLocal(from), triangle);
+    const auto local = found->second.shapeFor(use).nearest(transform.toLocal(from), triangle);
     if (!local) {
         return std::nullopt;
     }
@@ -172,13 +172,14 @@ std::optional<PhysicsWorld::RayHit> PhysicsWorld::castRay(const glm::vec3& origi
     if (!isUsable(origin) || !isUsable(direction) || !(length > 0.0f)) {
         return std::nullopt;
     }
-    const auto struck = d->castLine(origin, direction * std::min(length, kWholeWorld));
+    const auto struck = d->castLine(origin, direction * std::min(length, kWholeWorld), Use::Question);
     return struck ? std::optional(RayHit{struck->target, struck->surface.point, struck->surface.normal})
                   : std::nullopt;
 }
 
-std::optional<Strike> PhysicsWorld::Private::castLine(const glm::vec3& origin, const glm::vec3& motion) {
-    const auto contact = surfacesNow().sweep(origin, motion, 0.0f);
+std::optional<Strike> PhysicsWorld::Private::castLine(const glm::vec3& origin, const glm::vec3& motion,
+                                                      Use use) {
+    const auto contact = surfacesNow(use).sweep(origin, motion, 0.0f);
     if (!contact) {
         return std::nullopt;
     }
@@ -189,7 +190,7 @@ std::optional<Strike> PhysicsWorld::Private::castLine(const glm::vec3& origin, c
     const TargetBody& target = targets.at(contact->target);
     const glm::vec3 local = target.transform.toLocal(point);
     const glm::vec3 outwards =
-        target.transform.directionToWorld(target.shape->normalAt(local, contact->triangle));
+        target.transform.directionToWorld(target.shapeFor(use).normalAt(local, contact->triangle));
     const glm::vec3 normal = glm::dot(outwards, motion) > 0.0f ? -outwards : outwards;
     return Strike{contact->target, {point, normal, contact->triangle}};
 }
@@ -200,7 +201,7 @@ std::optional<Impact> PhysicsWorld::hitscan(const glm::vec3& origin, const glm::
         return std::nullopt;
     }
     d->finishStep();
-    const auto struck = d->castLine(origin, glm::normalize(direction) * kWholeWorld);
+    const auto struck = d->castLine(origin, glm::normalize(direction) * kWholeWorld, Use::Motion);
     if (!struck || !struck->target) {
         return std::nullopt;
     }
@@ -221,9 +222,9 @@ std::optional<Impact> PhysicsWorld::predict(const glm::vec3& origin, const glm::
     const ProjectileSettings shot = clamped(settings);
     glm::vec3 velocity = glm::normalize(direction) * shot.speed;
     double time = d->clock.time();
-    const std::optional<Strike> struck = isInstant
-                                             ? d->castLine(origin, glm::normalize(direction) * kWholeWorld)
-                                             : d->fly(origin, shot, velocity, time);
+    const std::optional<Strike> struck =
+        isInstant ? d->castLine(origin, glm::normalize(direction) * kWholeWorld, Use::Question)
+                  : d->fly(origin, shot, velocity, time);
     if (!struck || !struck->target) {
         return std::nullopt;
     }
@@ -236,7 +237,7 @@ std::optional<Impact> PhysicsWorld::predict(const glm::vec3& origin, const glm::
 /// As step() would move it.
 std::optional<Strike> PhysicsWorld::Private::fly(glm::vec3 position, const ProjectileSettings& shot,
                                                  glm::vec3& velocity, double& now) {
-    const SweepScene scene = surfacesNow();
+    const SweepScene scene = surfacesNow(Use::Question);
     const auto seconds = static_cast<float>(clock.step());
     const auto most = static_cast<int>(std::ceil(static_cast<double>(shot.lifetime) / clock.step()));
     for (int i = 0; i < most && isUsable(position); ++i) {
@@ -249,7 +250,7 @@ std::optional<Strike> PhysicsWorld::Private::fly(glm::vec3 position, const Proje
         }
         if (contact) {
             const glm::vec3 centre = position + motion * static_cast<float>(contact->fraction);
-            const auto surface = surfacePoint(contact->target, centre, contact->triangle);
+            const auto surface = surfacePoint(contact->target, centre, contact->triangle, Use::Question);
             return surface ? std::optional(Strike{contact->target, *surface}) : std::nullopt;
         }
         position += motion;
@@ -260,8 +261,9 @@ std::optional<Strike> PhysicsWorld::Private::fly(glm::vec3 position, const Proje
 std::vector<std::uint32_t> PhysicsWorld::trianglesNear(TargetId target, const glm::vec3& point,
                                                        float distance) const {
     const auto found = d->targets.find(target);
-    std::vector<std::uint32_t> near =
-        found == d->targets.end() ? std::vector<std::uint32_t>() : found->second.shape->near(point, distance);
+    std::vector<std::uint32_t> near = found == d->targets.end()
+                                          ? std::vector<std::uint32_t>()
+                                          : found->second.shapeFor(Use::Question).near(point, distance);
     std::sort(near.begin(), near.end());
     return near;
 }

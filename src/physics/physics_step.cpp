@@ -89,10 +89,10 @@ void PhysicsWorld::Private::followHulls() {
     }
 }
 
-SweepScene PhysicsWorld::Private::surfacesNow() const {
+SweepScene PhysicsWorld::Private::surfacesNow(Use use) const {
     SweepScene scene;
     for (const auto& [id, target] : targets) {
-        scene.addTarget(id, target.body->getWorldTransform(), *target.shape);
+        scene.addTarget(id, target.body->getWorldTransform(), target.shapeFor(use));
     }
     if (floor) {
         scene.setFloor(floorShape->getPlaneConstant());
@@ -134,7 +134,7 @@ void PhysicsWorld::Private::approach(ProjectileId id, Flight& flight) {
     }
     glm::vec3 centre = flight.previous + motion * static_cast<float>(contact->fraction);
     if (strikes) {
-        if (const auto surface = surfacePoint(target, centre, contact->triangle)) {
+        if (const auto surface = surfacePoint(target, centre, contact->triangle, Use::Motion)) {
             flight.strike = Strike{target, *surface};
             centre = surface->point + surface->normal * ((1.0f - kSinkIn) * radius);
         }
@@ -251,7 +251,7 @@ bool PhysicsWorld::Private::beginStep() {
         flight.previous = flight.position;
     }
     followHulls();
-    surfaces = surfacesNow();
+    surfaces = surfacesNow(Use::Motion);
     nextToApproach = {};
     return true;
 }

@@ -204,7 +204,29 @@ void PhysicsWorld::updateTarget(TargetId target, std::uint32_t first,
     d->finishStep();
     const auto found = d->targets.find(target);
     if (found != d->targets.end()) {
-        d->reshape(target, found->second, found->second.shape->update(first, vertices));
+        TargetBody& body = found->second;
+        if (body.asked) {
+            body.asked->update(first, vertices);
+        }
+        d->reshape(target, body, body.shape->update(first, vertices));
+    }
+}
+
+void PhysicsWorld::updateForQuestions(TargetId target, std::uint32_t first,
+                                      std::span<const DynamicVertex> vertices) {
+    const auto found = d->targets.find(target);
+    if (found != d->targets.end()) {
+        TargetBody& body = found->second;
+        if (!body.asked) {
+            body.asked = body.shape->copy();
+        }
+        body.asked->update(first, vertices);
+    }
+}
+
+void PhysicsWorld::answerFromWhatIsHit(TargetId target) {
+    if (const auto found = d->targets.find(target); found != d->targets.end()) {
+        found->second.asked.reset();
     }
 }
 
@@ -212,12 +234,16 @@ void PhysicsWorld::resetTarget(TargetId target) {
     d->finishStep();
     const auto found = d->targets.find(target);
     if (found != d->targets.end()) {
+        found->second.asked.reset();
         d->reshape(target, found->second, found->second.shape->reset());
     }
 }
 
-void PhysicsWorld::Private::reshape(TargetId id, TargetBody& target, bool shapeChanged) {
-    if (shapeChanged) {
+void PhysicsWorld::Private::reshape(TargetId id, TargetBody& target, const CollisionShape::Change& change) {
+    if (!change.moved) {
+        return;
+    }
+    if (change.isAnother) {
         const btVector3 velocity = target.body->getLinearVelocity();
         const btVector3 spin = target.body->getAngularVelocity();
         world.removeRigidBody(target.body.get());

@@ -81,6 +81,11 @@ public:
     void updateTarget(TargetId target, std::uint32_t first, std::span<const DynamicVertex> vertices);
     /// All vertices are back at the original shape.
     void resetTarget(TargetId target);
+    /// Likewise updateTarget(), but only for what is asked: castRay(), predict() and trianglesNear() find the
+    /// vertices there, and what flies meets them where they were. updateTarget() moves them for both.
+    void updateForQuestions(TargetId target, std::uint32_t first, std::span<const DynamicVertex> vertices);
+    /// What is asked is answered from what is hit again; gives back the memory of the other.
+    void answerFromWhatIsHit(TargetId target);
     [[nodiscard]] std::vector<TargetPose> dynamicTargets() const;
     /// An endless horizontal floor at height y metres; projectiles rest on it, it takes no hits.
     void setFloor(float y);
@@ -97,8 +102,8 @@ public:
     /// that struck just there. Nothing when no target is first on the line.
     [[nodiscard]] std::optional<Impact> hitscan(const glm::vec3& origin, const glm::vec3& direction,
                                                 const ProjectileSettings& settings);
-    /// What a shot would strike if nothing moved meanwhile; changes nothing. In flight it falls, in the
-    /// world's own steps; one that meets the floor first strikes nothing.
+    /// What a shot would strike if nothing moved meanwhile, see updateForQuestions(); changes nothing. In
+    /// flight it falls, in the world's own steps; one that meets the floor first strikes nothing.
     [[nodiscard]] std::optional<Impact> predict(const glm::vec3& origin, const glm::vec3& direction,
                                                 const ProjectileSettings& settings, bool isInstant) const;
     /// Whether in the next step a projectile that has not struck this target as the last one it struck comes

@@ -32,15 +32,23 @@ inline constexpr float kRestitution = 0.6f;  // of projectiles and the floor; Bu
 inline constexpr float kFriction = 0.6f;
 inline constexpr float kRollingFriction = 0.05f;  // metres: without it a sphere on a plane rolls for ever
 
+/// What a surface is wanted for: questions see dents that what moves meets some steps later.
+enum class Use : std::uint8_t { Motion, Question };
+
 struct TargetBody {
     RigidTransform transform;  ///< after the last step
     RigidTransform previous;   ///< before it
     TargetPhysics physics;
     std::unique_ptr<CollisionShape> shape;
+    std::unique_ptr<CollisionShape>
+        asked;  ///< the same with newer dents, for questions; null: there are none
     std::unique_ptr<btRigidBody> body;
     bool hullIsOld = false;  ///< its surface moved since its hull was made
 
     void place();  ///< the body to `transform`, at rest
+    [[nodiscard]] const CollisionShape& shapeFor(Use use) const {
+        return use == Use::Question && asked ? *asked : *shape;
+    }
 };
 
 /// What a projectile is about to strike in this step.
@@ -101,7 +109,7 @@ struct PhysicsWorld::Private {
     /// Before the world changes.
     void finishStep();
     void followHulls();
-    [[nodiscard]] physics::SweepScene surfacesNow() const;
+    [[nodiscard]] physics::SweepScene surfacesNow(physics::Use use) const;
     void approach(ProjectileId id, physics::Flight& flight);
     void touchAhead(physics::Flight& flight);
     void collect(ProjectileId id, physics::Flight& flight, std::span<const physics::TouchEntry> contacts);
@@ -111,9 +119,10 @@ struct PhysicsWorld::Private {
     void keepTrails();
 
     void addBody(physics::TargetBody& target);
-    void reshape(TargetId id, physics::TargetBody& target, bool shapeChanged);
+    void reshape(TargetId id, physics::TargetBody& target, const physics::CollisionShape::Change& change);
     /// First target, or the floor (target 0), on a line.
-    [[nodiscard]] std::optional<physics::Strike> castLine(const glm::vec3& origin, const glm::vec3& motion);
+    [[nodiscard]] std::optional<physics::Strike> castLine(const glm::vec3& origin, const glm::vec3& motion,
+                                                          physics::Use use);
     /// Where a projectile from `position` first strikes something; `velocity` (m/s) and `now` (simulated
     /// time) become those of that moment.
     [[nodiscard]] std::optional<physics::Strike> fly(glm::vec3 position, const ProjectileSettings& shot,
@@ -122,7 +131,7 @@ struct PhysicsWorld::Private {
     void letBounceSlowly();
     void wakeAll();
     [[nodiscard]] std::optional<physics::SurfacePoint> surfacePoint(TargetId target, const glm::vec3& from,
-                                                                    int triangle) const;
+                                                                    int triangle, physics::Use use) const;
 
     btDefaultCollisionConfiguration configuration;
     btCollisionDispatcher dispatcher{&configuration};

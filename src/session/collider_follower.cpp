@@ -14,23 +14,12 @@ namespace {
 
 constexpr std::uint32_t kBetweenLooks = 256 * kClusterVertices;  // about 1 ms
 
-/// The first vertices of the ranges, at most so many; they are taken out of them. `ranges` is not empty.
-VertexRange takeSome(std::deque<VertexRange>& ranges, std::uint32_t most) {
-    VertexRange& next = ranges.front();
-    const VertexRange some{next.first, std::min(next.count, most)};
-    next.first += some.count;
-    next.count -= some.count;
-    if (next.count == 0) {
-        ranges.pop_front();
-    }
-    return some;
-}
-
 }  // namespace
 
 void ColliderFollower::add(TargetId target, std::shared_ptr<const RenderMesh> shape) {
     Followed& followed = m_targets[target];
-    followed = {std::move(shape), nullptr, {}, {}, 0.0f, false};
+    followed = {};
+    followed.shape = std::move(shape);
 }
 
 void ColliderFollower::forget(TargetId target) {
@@ -83,14 +72,19 @@ void ColliderFollower::hurry(TargetId target) {
     }
 }
 
+/// All dents are taken on: how far they have been applied for questions depends on the time there was.
 void ColliderFollower::restore(TargetId target) {
     const auto found = m_targets.find(target);
-    if (found != m_targets.end() && found->second.state) {
-        const ReferenceDeformation& state = *found->second.state;
-        for (const VertexRange& range : state.touched()) {
-            m_physics.updateTarget(target, range.first, state.vertices(range));
-        }
+    if (found == m_targets.end() || !found->second.state) {
+        return;
     }
+    Followed& followed = found->second;
+    followed.state->advance();
+    const ReferenceDeformation& state = *followed.state;
+    for (const VertexRange& range : state.touched()) {
+        m_physics.updateTarget(target, range.first, state.vertices(range));
+    }
+    update(target, followed, {});
 }
 
 void ColliderFollower::beginStep() {
@@ -102,25 +96,52 @@ void ColliderFollower::beginStep() {
     }
 }
 
+/// Returns whether all hits are in the state.
+bool ColliderFollower::apply(Followed& followed, const IsTimeUp& isTimeUp) {
+    const bool isDone = followed.state->advance(isTimeUp);
+    const std::vector<VertexRange> changed = followed.state->takeChanged();
+    followed.toTake.add(changed);
+    followed.toTell.add(changed);
+    return isDone;
+}
+
 bool ColliderFollower::update(TargetId target, Followed& followed, const IsTimeUp& isTimeUp) {
     if (!followed.dueStep) {
         return true;
     }
-    if (!followed.state->advance(isTimeUp)) {
+    if (!apply(followed, isTimeUp)) {
         return false;
     }
-    const std::vector<VertexRange> changed = followed.state->takeChanged();
-    followed.toTake.insert(followed.toTake.end(), changed.begin(), changed.end());
     while (!followed.toTake.empty()) {
-        const VertexRange some = takeSome(followed.toTake, kBetweenLooks);
-        m_physics.updateTarget(target, some.first, followed.state->vertices(some));
+        for (const VertexRange& range : followed.toTake.take(kBetweenLooks)) {
+            m_physics.updateTarget(target, range.first, followed.state->vertices(range));
+        }
         if (isTimeUp && isTimeUp() && !followed.toTake.empty()) {
             return false;
         }
     }
+    followed.toTell = {};
     followed.dueStep.reset();
     followed.farthest = 0.0f;
     followed.isDue = false;
+    return true;
+}
+
+bool ColliderFollower::prepare(TargetId target, Followed& followed, const IsTimeUp& isTimeUp) {
+    if (!followed.dueStep) {
+        return true;
+    }
+    if (!apply(followed, isTimeUp)) {
+        return false;
+    }
+    while (!followed.toTell.empty()) {
+        for (const VertexRange& range : followed.toTell.take(kBetweenLooks)) {
+            m_physics.updateForQuestions(target, range.first, followed.state->vertices(range));
+        }
+        if (isTimeUp && isTimeUp() && !followed.toTell.empty()) {
+            return false;
+        }
+    }
     return true;
 }
 
@@ -130,9 +151,19 @@ bool ColliderFollower::updateDue(const IsTimeUp& isTimeUp) {
     });
 }
 
-bool ColliderFollower::updateAll(const IsTimeUp& isTimeUp) {
+bool ColliderFollower::prepareQuestions(const IsTimeUp& isTimeUp) {
     return std::all_of(m_targets.begin(), m_targets.end(),
-                       [&](auto& entry) { return update(entry.first, entry.second, isTimeUp); });
+                       [&](auto& entry) { return prepare(entry.first, entry.second, isTimeUp); });
+}
+
+bool ColliderFollower::updateAll(const IsTimeUp& isTimeUp) {
+    return std::all_of(m_targets.begin(), m_targets.end(), [&](auto& entry) {
+        if (!update(entry.first, entry.second, isTimeUp)) {
+            return false;
+        }
+        m_physics.answerFromWhatIsHit(entry.first);
+        return true;
+    });
 }
 
 bool ColliderFollower::isUpToDate() const {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
@@ -12,6 +11,7 @@
 #include "core/ids.h"
 #include "deform/hits_by_target.h"
 #include "deform/reference.h"
+#include "deform/vertex_range.h"
 #include "mesh/render_mesh.h"
 #include "physics/physics_world.h"
 
@@ -22,7 +22,8 @@ namespace hitscope {
 ///
 /// A collider takes its dents on at a physics step that depends on the hits and projectiles alone: before a
 /// projectile that has not struck the target comes near it, and kDelay after the hit at the latest, so that
-/// hits soon after each other are worked on together.
+/// hits soon after each other are worked on together. Who asks in between, to aim or to paint, does not wait
+/// and does not change that: prepareQuestions() lets PhysicsWorld answer with all dents.
 class ColliderFollower {
 public:
     /// `physics` outlives this.
@@ -44,7 +45,11 @@ public:
     void beginStep();
     /// Brings those up to date, as far as there is time; returns whether they are.
     bool updateDue(const IsTimeUp& isTimeUp);
-    /// Likewise all: right whenever nothing moves that could notice when.
+    /// Lets PhysicsWorld answer questions with all dents, as far as there is time; returns whether it does.
+    /// What is hit, and when it takes dents on, stays as it is.
+    bool prepareQuestions(const IsTimeUp& isTimeUp);
+    /// Brings all colliders up to date: right for an instant shot, which belongs to its step, and whenever
+    /// nothing moves that could notice when.
     bool updateAll(const IsTimeUp& isTimeUp = {});
     [[nodiscard]] bool isUpToDate() const;
 
@@ -54,14 +59,17 @@ private:
     struct Followed {
         std::shared_ptr<const RenderMesh> shape;
         std::unique_ptr<ReferenceDeformation> state;  ///< null: it has had no hit
-        std::deque<VertexRange> toTake;       ///< applied, and not in the collider yet; some may overlap
-        std::optional<std::int64_t> dueStep;  ///< nothing: it is up to date
+        ChangedRanges toTake;                         ///< applied, and not in the collider yet
+        ChangedRanges toTell;                         ///< likewise not in what answers questions
+        std::optional<std::int64_t> dueStep;          ///< nothing: it is up to date
         /// Metres: vertices have moved by no more since it was up to date; nothing: there is no telling.
         std::optional<float> farthest = 0.0f;
         bool isDue = false;
     };
     void note(const TargetHitsEdit& edit);
+    bool apply(Followed& followed, const IsTimeUp& isTimeUp);
     bool update(TargetId target, Followed& followed, const IsTimeUp& isTimeUp);
+    bool prepare(TargetId target, Followed& followed, const IsTimeUp& isTimeUp);
 
     PhysicsWorld& m_physics;
     HitsByTarget m_hits;

@@ -158,8 +158,12 @@ void Simulation::takeImpacts(std::span<const Impact> impacts, std::vector<Target
 
 // Colliders
 
-/// A dynamic target that has another shape wakes: whoever advances what moves is told.
+/// What moves would notice when a collider takes its dents on, so that questions are answered from a second
+/// surface then. A dynamic target that has another shape wakes: whoever advances what moves is told.
 bool Simulation::updateColliders(const IsTimeUp& isTimeUp) {
+    if (m_physics.isMoving() || m_physics.isMidStep()) {
+        return m_colliders.prepareQuestions(isTimeUp);
+    }
     const bool wasMoving = isMoving();
     const bool isDone = m_colliders.updateAll(isTimeUp);
     if (!wasMoving && isMoving()) {

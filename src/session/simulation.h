@@ -65,8 +65,9 @@ public:
     /// advance() had no time for all that is due: shots to fire, or the rest of a step.
     [[nodiscard]] bool isCatchingUp() const { return m_firing != nullptr || m_stepIsBegun; }
     /// What shots strike is the targets with all their dents, by the reference deformation. Colliders take
-    /// them on when something comes near; this does it now, as far as there is time. Returns whether all are
-    /// up to date.
+    /// them on when something comes near. Afterwards predictedHit(), and physics() where it is asked, know
+    /// all of them, as far as there was time; returns whether they do. While something moves, the colliders
+    /// themselves are left alone: hits do not depend on when or how often this is called.
     bool updateColliders(const IsTimeUp& isTimeUp = {});
     /// Dynamic targets that stay where they are put, whatever strikes them, until the next call; ids of no
     /// dynamic target are passed over.
