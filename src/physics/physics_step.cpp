@@ -23,6 +23,8 @@ constexpr float kNoMotion = 1.0e-5f;        // of the radius, in a step
 // Of the radius: Bullet makes a contact only where bodies overlap, so a projectile that arrives is let in
 // this far.
 constexpr float kSinkIn = 0.002f;
+// Metres, around a box: Bullet's broadphase pairs up what is some 0.1 apart, and then hulls are compared.
+constexpr btScalar kHullReach = 0.25f;
 // Of the radius: a projectile that moves less in a step and touches a target lies there or rolls. Bullet's
 // contacts are enough for that, and a sweep along a fine surface is what costs most.
 constexpr float kRollingMotion = 0.25f;
@@ -78,15 +80,37 @@ Impact physics::impactOf(TargetId target, const RigidTransform& where, const glm
     return impact;
 }
 
-/// Once a step, however many hits there were: a target that nothing knocks about needs no hull.
+/// Once a step, however many hits there were. Hulls meet hulls of dynamic targets only: one that none of
+/// these comes near needs none.
 void PhysicsWorld::Private::followHulls() {
     for (auto& [id, target] : targets) {
-        if (target.physics.isDynamic && std::exchange(target.hullIsOld, false) &&
-            target.shape->followSurface()) {
-            broadphase.getOverlappingPairCache()->cleanProxyFromPairs(target.body->getBroadphaseProxy(),
-                                                                      &dispatcher);
+        if (target.hullIsOld && isNearDynamic(target)) {
+            target.hullIsOld = false;
+            if (target.shape->followSurface()) {
+                broadphase.getOverlappingPairCache()->cleanProxyFromPairs(target.body->getBroadphaseProxy(),
+                                                                          &dispatcher);
+            }
         }
     }
+}
+
+/// It is dynamic, or its box meets that of one which is, before or after the step.
+bool PhysicsWorld::Private::isNearDynamic(const TargetBody& target) const {
+    btVector3 low;
+    btVector3 high;
+    target.body->getAabb(low, high);
+    return std::any_of(targets.begin(), targets.end(), [&](const auto& entry) {
+        const TargetBody& other = entry.second;
+        if (!other.physics.isDynamic || &other == &target) {
+            return other.physics.isDynamic;
+        }
+        btVector3 otherLow;
+        btVector3 otherHigh;
+        other.body->getAabb(otherLow, otherHigh);
+        const btScalar way = other.body->getLinearVelocity().length() * static_cast<btScalar>(clock.step());
+        const btVector3 around = btVector3(1, 1, 1) * (2.0f * way + kHullReach);
+        return TestAabbAgainstAabb2(otherLow - around, otherHigh + around, low, high);
+    });
 }
 
 SweepScene PhysicsWorld::Private::surfacesNow(Use use) const {

@@ -109,6 +109,7 @@ struct PhysicsWorld::Private {
     /// Before the world changes.
     void finishStep();
     void followHulls();
+    [[nodiscard]] bool isNearDynamic(const physics::TargetBody& target) const;
     [[nodiscard]] physics::SweepScene surfacesNow(physics::Use use) const;
     void approach(ProjectileId id, physics::Flight& flight);
     void touchAhead(physics::Flight& flight);
@@ -119,6 +120,7 @@ struct PhysicsWorld::Private {
     void keepTrails();
 
     void addBody(physics::TargetBody& target);
+    void wakeWhatTouches(TargetId id, const physics::TargetBody& target);
     void reshape(TargetId id, physics::TargetBody& target, const physics::CollisionShape::Change& change);
     /// First target, or the floor (target 0), on a line.
     [[nodiscard]] std::optional<physics::Strike> castLine(const glm::vec3& origin, const glm::vec3& motion,
