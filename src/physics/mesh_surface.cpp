@@ -137,10 +137,10 @@ Bounds MeshSurface::moveRun(std::uint32_t first, std::span<const DynamicVertex> 
             const auto vertex = first + static_cast<std::uint32_t>(i);
             moved.add(at[i]);
             at[i] = vertices[i].position;
-            if (m_moved.size() < kMostMoved) {
-                m_moved.push_back(vertex);
-            } else {
+            if (m_moved.size() >= kMostMoved) {
                 m_movedMany = true;
+            } else if (m_tree.uses(vertex)) {  // others are no part of the surface
+                m_moved.push_back(vertex);
             }
             // On a fine mesh a look at an original is a cache miss: one that is away is enough.
             if (isBack && isAway(vertex)) {

@@ -62,8 +62,8 @@ private:
     RunPositions m_at;
     TriangleTree m_tree;
     std::vector<TriangleTree::MovedRun> m_runs;  ///< of the update() that runs
-    std::vector<std::uint32_t> m_moved;          ///< since the hull was last brought up to date; may repeat
-    bool m_movedMany = false;                    ///< too many for a list
+    std::vector<std::uint32_t> m_moved;  ///< corners, since the hull was last brought up to date; may repeat
+    bool m_movedMany = false;            ///< too many for a list
     bool m_isDented = false;
     std::uint32_t m_dent = 0;  ///< if dented: a vertex that is not where it was
     std::size_t m_whole = 0;   ///< of m_at.changed(), the first ones: none of their vertices is away

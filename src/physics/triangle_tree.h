@@ -39,6 +39,9 @@ public:
     [[nodiscard]] bool empty() const { return !m_original; }
     [[nodiscard]] Bounds bounds() const { return empty() ? Bounds{} : m_nodes[0].bounds; }
 
+    /// A triangle has that vertex.
+    [[nodiscard]] bool uses(std::uint32_t vertex) const { return !empty() && m_shape->isUsed[vertex]; }
+
     /// Corrects the boxes around vertices that moved. Each run comes once. Costs by the leaves that have a
     /// vertex of the runs, and by how far up the boxes change.
     void refit(const RunPositions& vertices, std::span<const MovedRun> moved);
@@ -91,6 +94,7 @@ private:
         std::vector<std::uint32_t> parents;               ///< of the nodes; the root's is the root
         std::vector<std::uint32_t> runStarts;             ///< run -> first of its leafNodes; and one more
         std::vector<std::uint32_t> leafNodes;             ///< nodes of the leaves with a vertex of the run
+        std::vector<bool> isUsed;                         ///< by vertex: it is one of `vertices`
 
         [[nodiscard]] Corners cornersOf(const Leaf& leaf, std::size_t triangle) const {
             const std::uint32_t* const of = &vertices[leaf.firstVertex];

@@ -202,6 +202,13 @@ struct TriangleTree::Builder {
         }
     }
 
+    void markUsed() {
+        shape.isUsed.assign(vertices.size(), false);
+        for (const std::uint32_t vertex : shape.vertices) {
+            shape.isUsed[vertex] = true;
+        }
+    }
+
     /// Calls `visit(run, node)` for the leaves' nodes and each run that they have a vertex of.
     template <class Visit>
     void forEachRun(const Visit& visit) const {
@@ -253,6 +260,7 @@ TriangleTree::TriangleTree(std::span<const glm::vec3> vertices, std::span<const 
     Builder builder{vertices, corners, items, *made, *shape};
     builder.build({0, 0, 0}, items.size(), usefulThreads());
     builder.nameVertices();
+    builder.markUsed();
     builder.listRuns();
     m_original = std::move(made);
     m_nodes = RunArray<Node>(*m_original);

@@ -103,6 +103,29 @@ private Q_SLOTS:
         QVERIFY(world.isMoving());
         QVERIFY(std::abs(lowest(world, 1.5) - 0.3f) < 0.02f);
     }
+
+    /// A vertex that no triangle has, however far out, is no corner of what meets the floor.
+    void aVertexOfNoFaceBearsNothing() {
+        for (const float moves : {0.0f, 0.01f}) {
+            Triangles mesh = sphereMesh(0.5f, 32, 16);
+            mesh.vertices.emplace_back(0.0f, -0.9f, 0.0f);
+            PhysicsWorld world;
+            world.setFloor(0.0f);
+            TargetPhysics physics;
+            physics.isDynamic = true;
+            physics.restitution = 0.0f;
+            place(world, kGround, {{0, 1, 0}, {1, 0, 0, 0}}, mesh, physics);
+            for (glm::vec3& vertex : mesh.vertices) {
+                vertex.y += vertex.y < -0.45f ? moves : 0.0f;
+            }
+            dent(world, mesh);
+            for (int i = 0; i < 480; ++i) {
+                static_cast<void>(world.takeStep());
+            }
+            const float height = world.dynamicTargets().front().transform.position.y;
+            QVERIFY2(std::abs(height - 0.5f) < 0.03f, qPrintable(QString::number(height)));
+        }
+    }
 };
 
 HITSCOPE_TEST(PhysicsDentedGroundTest, QCoreApplication)
