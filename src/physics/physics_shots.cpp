@@ -207,7 +207,7 @@ std::optional<Impact> PhysicsWorld::hitscan(const glm::vec3& origin, const glm::
     }
     Flight flight = makeFlight(clamped(settings), origin, direction);
     flight.velocity = glm::normalize(direction) * flight.settings.speed;
-    Touch touch{0.0f, struck->surface, 0.0f};
+    Touch touch{glm::vec3(0.0f), struck->surface, 0.0f};
     TargetBody& target = d->targets.at(struck->target);
     bounce(flight, target, touch);
     return impactOf(struck->target, target.transform, flight.velocity, touch, d->clock.time(),
@@ -229,8 +229,9 @@ std::optional<Impact> PhysicsWorld::predict(const glm::vec3& origin, const glm::
         return std::nullopt;
     }
     const TargetBody& target = d->targets.at(struck->target);
-    Touch touch{0.0f, struck->surface, 0.0f};
-    touch.impulse = bounceImpulse(velocity, shot.mass, target.physics, struck->surface.normal);
+    const glm::vec3& normal = struck->surface.normal;
+    const Touch touch{normal * bounceImpulse(velocity, shot.mass, target.physics, normal), struck->surface,
+                      0.0f};
     return impactOf(struck->target, target.transform, velocity, touch, time, shot);
 }
 

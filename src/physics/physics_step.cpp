@@ -50,15 +50,15 @@ void physics::bounce(Flight& flight, TargetBody& target, Touch& touch) {
         return;
     }
     const float mass = flight.settings.mass;
-    touch.impulse = bounceImpulse(flight.velocity, mass, target.physics, normal);
+    const float impulse = bounceImpulse(flight.velocity, mass, target.physics, normal);
+    touch.push = normal * impulse;
     btRigidBody& body = *flight.body;
     moveTo(body, touch.deepest.point + normal * flight.settings.radius);
-    body.setLinearVelocity(toBullet(flight.velocity + normal * (touch.impulse / mass)));
+    body.setLinearVelocity(toBullet(flight.velocity + normal * (impulse / mass)));
     if (target.physics.isDynamic) {
         target.body->activate(true);
-        target.body->applyImpulse(
-            toBullet(-normal * touch.impulse),
-            toBullet(touch.deepest.point) - target.body->getWorldTransform().getOrigin());
+        target.body->applyImpulse(toBullet(-touch.push), toBullet(touch.deepest.point) -
+                                                             target.body->getWorldTransform().getOrigin());
     }
 }
 
@@ -73,7 +73,9 @@ Impact physics::impactOf(TargetId target, const RigidTransform& where, const glm
     impact.where = where;
     impact.triangle =
         touch.deepest.triangle < 0 ? kNoIndex : static_cast<std::uint32_t>(touch.deepest.triangle);
-    impact.impulse = touch.impulse;
+    // Where several walls push, friction with them takes some of it, and only the sum is what the projectile
+    // feels.
+    impact.impulse = std::max(0.0f, glm::dot(touch.push, touch.deepest.normal));
     impact.time = time;
     impact.radius = shot.radius;
     impact.form = shot.form;
@@ -206,7 +208,7 @@ void PhysicsWorld::Private::collect(ProjectileId id, Flight& flight, std::span<c
     if (flight.strike) {
         Touch& touch = touches[flight.strike->target];
         touch.deepest = flight.strike->surface;
-        if (touch.impulse <= 0.0f) {
+        if (touch.push == glm::vec3(0.0f)) {
             // Bullet found no contact where the sweep did.
             bounce(flight, targets.at(flight.strike->target), touch);
         }

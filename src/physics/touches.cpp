@@ -23,11 +23,13 @@ void add(Touch& touch, const btPersistentManifold& manifold, bool targetIsB, flo
         if (impulse <= 0.0f && point.getDistance() > near) {
             continue;
         }
-        touch.impulse += impulse;
+        const btVector3 normal = targetIsB ? point.m_normalWorldOnB : -point.m_normalWorldOnB;
+        // Bullet has friction act on the first body, as the normal of the second points to it.
+        const btVector3 friction = point.m_lateralFrictionDir1 * point.m_appliedImpulseLateral1;
+        touch.push += fromBullet(normal * impulse + (targetIsB ? friction : -friction));
         if (point.getDistance() < touch.distance) {
             touch.distance = point.getDistance();
             const btVector3& position = targetIsB ? point.getPositionWorldOnB() : point.getPositionWorldOnA();
-            const btVector3 normal = targetIsB ? point.m_normalWorldOnB : -point.m_normalWorldOnB;
             const int triangle = targetIsB ? point.m_index1 : point.m_index0;
             touch.deepest = {fromBullet(position), fromBullet(normal), triangle};
         }
@@ -35,7 +37,7 @@ void add(Touch& touch, const btPersistentManifold& manifold, bool targetIsB, flo
 }
 
 void add(Touch& touch, const Touch& other) {
-    touch.impulse += other.impulse;
+    touch.push += other.push;
     if (other.distance < touch.distance) {
         touch.distance = other.distance;
         touch.deepest = other.deepest;
@@ -77,7 +79,7 @@ void collectTouches(btDispatcher& dispatcher, std::vector<TouchEntry>& result) {
             kTouchDistance * static_cast<const btSphereShape*>(projectile->getCollisionShape())->getRadius();
         Touch touch;
         add(touch, manifold, targetIsB, near);
-        if (touch.impulse > 0.0f || touch.distance <= near) {
+        if (touch.push != glm::vec3(0.0f) || touch.distance <= near) {
             result.push_back({{static_cast<std::uint32_t>(projectile->getUserIndex2())},
                               {static_cast<std::uint32_t>(target->getUserIndex2())},
                               touch});

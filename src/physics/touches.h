@@ -13,7 +13,7 @@ namespace hitscope::physics {
 
 /// A projectile in contact with a target after a step, over all of Bullet's manifolds between the two.
 struct Touch {
-    float impulse = 0.0f;  ///< newton seconds, along the normals
+    glm::vec3 push{0.0f};  ///< newton seconds, of the target on the projectile, friction too; world
     SurfacePoint deepest;  ///< world
     float distance =
         std::numeric_limits<float>::max();  ///< metres, of the deepest point; below zero: they overlap

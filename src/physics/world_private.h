@@ -80,7 +80,7 @@ struct Flight {
 };
 
 /// Bounces a flight off a target where it touches, as Bullet would have, and pushes a dynamic target; writes
-/// the impulse into `touch`. Moving away: nothing.
+/// the push into `touch`. Moving away: nothing.
 void bounce(Flight& flight, TargetBody& target, Touch& touch);
 
 /// Newton seconds that a projectile of `mass` takes from a target it meets with `velocity` (m/s) where the
