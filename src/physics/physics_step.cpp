@@ -131,6 +131,7 @@ SweepScene PhysicsWorld::Private::surfacesNow(Use use) const {
 /// Left to itself it would brake the projectile short of the surface over several steps.
 void PhysicsWorld::Private::approach(ProjectileId id, Flight& flight) {
     flight.strike.reset();
+    flight.meetsNothing = false;
     btRigidBody& body = *flight.body;
     flight.velocity = fromBullet(body.getLinearVelocity());
     if (!body.isActive()) {
@@ -146,6 +147,7 @@ void PhysicsWorld::Private::approach(ProjectileId id, Flight& flight) {
         return;
     }
     const auto contact = surfaces.sweep(flight.previous, motion, radius);
+    flight.meetsNothing = !contact;
     if (!contact) {
         return;
     }
@@ -179,19 +181,49 @@ void PhysicsWorld::Private::touchAhead(Flight& flight) {
     }
 }
 
+bool Flight::isPushed(TargetId target, const Touch& touch) const {
+    return strikes(target) ||
+           (touch.push != glm::vec3(0.0f) && glm::dot(velocity, touch.deepest.normal) < 0.0f);
+}
+
+bool Flight::bounces(TargetId target, const Touch& touch) const {
+    const float inwards = -glm::dot(velocity, touch.deepest.normal);
+    return settings.bouncesCount && isPushed(target, touch) &&
+           inwards >= kLeastBounceSpeed * std::min(1.0f, sizeOf(settings));
+}
+
+bool Flight::makesHit(TargetId target, const Touch& touch) const {
+    const float least = kLeastImpactSpeed * std::min(1.0f, sizeOf(settings));
+    return hasHit ? bounces(target, touch) : isPushed(target, touch) && glm::length(velocity) >= least;
+}
+
 void PhysicsWorld::Private::strike(ProjectileId id, Flight& flight, TargetId target, const Touch& touch) {
     flight.lastStruck = target;
-    const float speed = glm::length(flight.velocity);
-    const float inwards = -glm::dot(flight.velocity, touch.deepest.normal);
-    const float slow = std::min(1.0f, sizeOf(flight.settings));
-    const bool counts = flight.hasHit ? flight.settings.bouncesCount && inwards >= kLeastBounceSpeed * slow
-                                      : speed >= kLeastImpactSpeed * slow;
-    if (counts) {
+    if (flight.makesHit(target, touch)) {
         flight.hasHit = true;
         // Where the target was when Bullet found the contact: it has moved on since.
         impacts.push_back(impactOf(target, targets.at(target).previous, flight.velocity, touch, clock.time(),
                                    flight.settings));
         impacts.back().projectile = id;
+    }
+}
+
+/// The touch of what the sweep met first. Beside a seam Bullet lets a neighbour bear some of the blow, which
+/// the strike is given here unless that is to be a hit of its own: all of the push is counted once.
+void PhysicsWorld::Private::settleStrike(Flight& flight, std::map<TargetId, Touch>& touches) {
+    const TargetId target = flight.strike->target;
+    Touch& touch = touches[target];
+    touch.deepest = flight.strike->surface;
+    const bool missed = touch.push == glm::vec3(0.0f);
+    for (auto& [other, beside] : touches) {
+        if (other != target && !flight.touches(other) && !flight.bounces(other, beside)) {
+            touch.push += std::exchange(beside.push, glm::vec3(0.0f));
+        }
+    }
+    const glm::vec3 now = fromBullet(flight.body->getLinearVelocity());
+    if (missed && (touch.push == glm::vec3(0.0f) || glm::dot(now, touch.deepest.normal) < 0.0f)) {
+        // Bullet found no contact where the sweep did.
+        bounce(flight, targets.at(target), touch);
     }
 }
 
@@ -203,22 +235,32 @@ void PhysicsWorld::Private::collect(ProjectileId id, Flight& flight, std::span<c
     }
     std::map<TargetId, Touch> touches;
     for (const TouchEntry& entry : touched) {
-        touches.emplace(entry.target, entry.touch);
-    }
-    if (flight.strike) {
-        Touch& touch = touches[flight.strike->target];
-        touch.deepest = flight.strike->surface;
-        if (touch.push == glm::vec3(0.0f)) {
-            // Bullet found no contact where the sweep did.
-            bounce(flight, targets.at(flight.strike->target), touch);
+        Touch& touch = touches.emplace(entry.target, entry.touch).first->second;
+        // Bullet brakes at once what moves along the tangent plane of a surface that it never comes to. What
+        // moves itself may have come.
+        if (flight.meetsNothing && touch.distance > 0.0f && !targets.at(entry.target).physics.isDynamic) {
+            touch.push = glm::vec3(0.0f);
         }
     }
     std::vector<TargetId> touching;
     for (const auto& [target, touch] : touches) {
-        touching.push_back(target);
-        if (!flight.touches(target)) {
+        // What it only comes near it may strike in the next step.
+        if (touch.push != glm::vec3(0.0f) || flight.touches(target)) {
+            touching.push_back(target);
+        }
+    }
+    if (flight.strike) {
+        settleStrike(flight, touches);
+        strike(id, flight, flight.strike->target, touches.at(flight.strike->target));
+    }
+    for (const auto& [target, touch] : touches) {
+        if (!flight.strikes(target) && !flight.touches(target) && touch.push != glm::vec3(0.0f)) {
             strike(id, flight, target, touch);
         }
+    }
+    if (flight.strike && !std::binary_search(touching.begin(), touching.end(), flight.strike->target)) {
+        touching.push_back(flight.strike->target);
+        std::sort(touching.begin(), touching.end());
     }
     flight.touching = std::move(touching);
 }

@@ -70,6 +70,7 @@ struct Flight {
     glm::vec3 previous{0.0f};        ///< position before the last step
     glm::vec3 position{0.0f};        ///< after it; the body's own moves in parts of a step
     std::optional<Strike> strike;
+    bool meetsNothing = false;         ///< in this step, as the sweep has it
     std::vector<ContactsAhead> ahead;  ///< of this step; the body's user pointer
     static constexpr std::size_t kTrailPoints = 12;
     std::array<glm::vec3, kTrailPoints> trail;  ///< oldest first
@@ -77,6 +78,11 @@ struct Flight {
 
     void keepTrail();  ///< adds `previous`
     [[nodiscard]] bool touches(TargetId target) const;
+    [[nodiscard]] bool strikes(TargetId target) const { return strike && strike->target == target; }
+    /// It strikes what it touches there, and does not pass by or fly away.
+    [[nodiscard]] bool isPushed(TargetId target, const Touch& touch) const;
+    [[nodiscard]] bool bounces(TargetId target, const Touch& touch) const;   ///< a hit after its first one
+    [[nodiscard]] bool makesHit(TargetId target, const Touch& touch) const;  ///< first one or not
 };
 
 /// Bounces a flight off a target where it touches, as Bullet would have, and pushes a dynamic target; writes
@@ -114,6 +120,7 @@ struct PhysicsWorld::Private {
     void approach(ProjectileId id, physics::Flight& flight);
     void touchAhead(physics::Flight& flight);
     void collect(ProjectileId id, physics::Flight& flight, std::span<const physics::TouchEntry> contacts);
+    void settleStrike(physics::Flight& flight, std::map<TargetId, physics::Touch>& touches);
     void strike(ProjectileId id, physics::Flight& flight, TargetId target, const physics::Touch& touch);
     void followDynamicTargets();
     void removeSpentFlights();
