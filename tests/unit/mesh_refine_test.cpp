@@ -27,6 +27,7 @@ private Q_SLOTS:
     void keepsWhatThereWas_data();
     void keepsWhatThereWas();
     void midpointKeepsAreaAndVolume();
+    void cutsTrianglesWithTwoCornersAtOnePlace();
     void triangleBecomesFour();
     void quadsStayQuads();
     void refinesOnlyWhereHitsAre();
@@ -90,6 +91,18 @@ void MeshRefineTest::midpointKeepsAreaAndVolume() {
     const MeshData cube = makeCube(2, 1.0f);
     const MeshData fine = refined(cube, options(RefineMethod::Midpoint, 0.3f, true)).mesh;
     QVERIFY(std::abs(area(fine) - 24.0) < 1e-5 && std::abs(volume(fine) - 8.0) < 1e-5);
+}
+
+void MeshRefineTest::cutsTrianglesWithTwoCornersAtOnePlace() {
+    MeshData sheet =
+        meshOf({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2}, {0, 2, 3}, {0, 4, 2}});
+    for (const RefineMethod method : kMethods) {
+        QVERIFY(longestEdge(refined(sheet, options(method, 0.1f)).mesh) <= 0.1 * 1.0001);
+    }
+    // Alone, too, and with all three at one place.
+    const MeshData alone =
+        meshOf({{0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {0, 0, 0}, {0, 0, 0}}, {{0, 1, 2}, {0, 3, 4}});
+    QVERIFY(longestEdge(refined(alone, options(RefineMethod::LongestEdge, 0.1f)).mesh) <= 0.1 * 1.0001);
 }
 
 void MeshRefineTest::triangleBecomesFour() {

@@ -104,11 +104,16 @@ CutEdges longestEdges(const RefineWork& work, double length) {
         std::uint32_t longest = 0;
     };
     std::unordered_map<std::uint64_t, Votes, EdgeHash> votes;
+    std::vector<std::uint64_t> ofFace;
     for (const Face& face : work.faces()) {
         std::optional<std::tuple<double, std::uint64_t, std::uint64_t>> longest;
+        ofFace.clear();
         work.forSides(face, [&](std::uint32_t a, std::uint32_t b) {
             const std::uint64_t key = keyOf(work, a, b);
-            if (candidates.contains(key)) {
+            // Two sides of a triangle with two corners at one place are one edge, and the face has one vote.
+            const bool isNew = std::find(ofFace.begin(), ofFace.end(), key) == ofFace.end();
+            if (isNew && candidates.contains(key)) {
+                ofFace.push_back(key);
                 ++votes[key].faces;
                 const auto rank = std::tuple(work.squaredLength(a, b), mixed(key), key);
                 longest = longest ? std::max(*longest, rank) : rank;
