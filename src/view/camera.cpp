@@ -90,12 +90,18 @@ Ray Camera::rayThrough(const glm::vec2& ndc, float aspect) const {
 }
 
 void Camera::setPivot(const glm::vec3& pivot, float yaw, float pitch, float distance) {
+    restore(pivot, yaw, pitch, distance);
+    zoom(1.0f);
+}
+
+void Camera::restore(const glm::vec3& pivot, float yaw, float pitch, float distance) {
     m_pivot = pivot;
     m_yaw = 0.0f;
     m_pitch = 0.0f;
     orbit(yaw, pitch);
-    m_distance = distance;
-    zoom(1.0f);
+    if (std::isfinite(distance) && distance > 0.0f) {
+        m_distance = distance;
+    }
 }
 
 void Camera::orbit(float yaw, float pitch) {

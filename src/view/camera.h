@@ -47,7 +47,11 @@ public:
     /// of all that is seen.
     [[nodiscard]] Ray rayThrough(const glm::vec2& ndc, float aspect) const;
 
+    /// Metres and radians; the distance within zoom()'s limits.
     void setPivot(const glm::vec3& pivot, float yaw, float pitch, float distance);
+    /// Likewise, a place that a camera had: frame() and zoomAbout() lead beyond those limits, so the distance
+    /// is as given. One that is not finite or not above zero changes nothing of it.
+    void restore(const glm::vec3& pivot, float yaw, float pitch, float distance);
     [[nodiscard]] float sceneRadius() const { return m_sceneRadius; }
     void setSceneRadius(float radius) { m_sceneRadius = radius; }
     void setProjection(Projection projection) { m_projection = projection; }

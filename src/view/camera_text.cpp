@@ -109,9 +109,8 @@ Camera cameraOf(const Values& values, Projection projection, const Camera& base)
     Camera camera = base;
     camera.setProjection(projection);
     camera.setFieldOfView(radians(kFov));
-    camera.setPivot(
-        {static_cast<float>(pivot[0]), static_cast<float>(pivot[1]), static_cast<float>(pivot[2])},
-        radians(kYaw), radians(kPitch), static_cast<float>(number(kDistance)));
+    camera.restore({static_cast<float>(pivot[0]), static_cast<float>(pivot[1]), static_cast<float>(pivot[2])},
+                   radians(kYaw), radians(kPitch), static_cast<float>(number(kDistance)));
     return camera;
 }
 

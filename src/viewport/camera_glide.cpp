@@ -29,9 +29,9 @@ Camera between(const Camera& from, const Camera& to, float part) {
     Camera camera = to;
     camera.setFieldOfView(glm::mix(from.fieldOfView(), to.fieldOfView(), part));
     // Distances by ratio: coming near looks as fast as going away.
-    camera.setPivot(glm::mix(from.pivot(), to.pivot(), part), from.yaw() + part * turn,
-                    glm::mix(from.pitch(), to.pitch(), part),
-                    from.distance() * std::pow(to.distance() / from.distance(), part));
+    camera.restore(glm::mix(from.pivot(), to.pivot(), part), from.yaw() + part * turn,
+                   glm::mix(from.pitch(), to.pitch(), part),
+                   from.distance() * std::pow(to.distance() / from.distance(), part));
     return camera;
 }
 
