@@ -109,6 +109,7 @@ void SceneGpu::Private::takeReapplied() {
     Reapplication::Buffers buffers = done->takeBuffers();
     pipeline = done->takePipeline();
     isWarm = false;
+    changeUpload.forget();
     for (auto& [id, target] : targets) {
         target.buffers = std::move(buffers.at(id));
         if (const TrueNormals& normals = session.targets().find(id)->trueNormals; !normals.areOriginal()) {
