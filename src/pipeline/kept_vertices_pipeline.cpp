@@ -21,7 +21,7 @@ constexpr std::size_t kMostRepeated = 256;
 
 void KeptVerticesPipeline::addTarget(TargetId target, TargetBuffers& buffers) {
     removeTarget(target);
-    TargetState& state = m_targets.emplace(target, TargetState(target, buffers)).first->second;
+    TargetState& state = m_targets.emplace(target, TargetState(target, buffers, ++m_lastEpoch)).first->second;
     learnTarget(target, buffers);
     append(state, 0, Arrival::Bulk);
 }
@@ -124,7 +124,7 @@ bool KeptVerticesPipeline::goBack(TargetState& target, const TargetHitsEdit& edi
 /// reached can come out otherwise, and they are taken from their originals through all hits again.
 void KeptVerticesPipeline::redo(TargetState& target, const TargetHitsEdit& edit) {
     m_undo.forget(target.id);
-    ++target.epoch;
+    target.epoch = ++m_lastEpoch;
     const std::vector<std::uint32_t> concerned = target.reach.everReached(edit.before, edit.after);
     if (concerned.empty()) {
         return;
@@ -160,7 +160,7 @@ void KeptVerticesPipeline::tighten(TargetState& target, std::span<const VertexRa
 
 /// The vertices in `ranges` were put back to an earlier state.
 void KeptVerticesPipeline::rewritten(TargetState& target, std::span<const VertexRange> ranges) {
-    ++target.epoch;
+    target.epoch = ++m_lastEpoch;
     target.unread.add(ranges);
     followWrites(target.id, *target.buffers, ranges);
 }
@@ -185,7 +185,7 @@ ReadBackQueue::Take KeptVerticesPipeline::delivery(const ReadBackSink& sink) {
     return [this, &sink](const ReadBackQueue::Part& part, std::uint32_t first,
                          std::span<const DynamicVertex> vertices) {
         const auto known = m_targets.find(part.target);
-        if (known == m_targets.end() || known->second.buffers->dynamicBuffer() != part.buffer) {
+        if (known == m_targets.end() || part.moment.epoch < known->second.born) {
             return;
         }
         if (known->second.epoch == part.moment.epoch) {

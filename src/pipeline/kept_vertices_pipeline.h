@@ -45,18 +45,21 @@ private:
                               std::span<const VertexRange> /*ranges*/) {}
 
     struct TargetState {
-        TargetState(TargetId targetId, TargetBuffers& targetBuffers)
+        TargetState(TargetId targetId, TargetBuffers& targetBuffers, std::uint64_t firstEpoch)
             : id(targetId),
               buffers(&targetBuffers),
               reach(targetBuffers.clusters(), targetBuffers.clusterTree()),
-              batch(targetBuffers.clusters()) {}
+              batch(targetBuffers.clusters()),
+              born(firstEpoch),
+              epoch(firstEpoch) {}
         TargetId id;
         TargetBuffers* buffers;
         ClusterReach reach;
         HitBatch batch;
-        ChangedRanges moved;      ///< since the original
-        ChangedRanges unread;     ///< since they were last asked for
-        std::uint64_t epoch = 0;  ///< counts what has rewritten the past of the vertices
+        ChangedRanges moved;   ///< since the original
+        ChangedRanges unread;  ///< since they were last asked for
+        std::uint64_t born;    ///< its first epoch: what was asked for before is of another mesh
+        std::uint64_t epoch;   ///< another one whenever the past of the vertices is rewritten
         std::vector<std::uint32_t> reached;
     };
     enum class Arrival { Live, Bulk };
@@ -72,6 +75,7 @@ private:
 
     HitsByTarget m_hits;
     std::unordered_map<TargetId, TargetState> m_targets;
+    std::uint64_t m_lastEpoch = 0;  ///< of all targets, gone ones too: none comes twice
     ReadBackQueue m_readBack;
     UndoRing m_undo;
 

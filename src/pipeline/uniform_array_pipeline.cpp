@@ -118,7 +118,7 @@ void UniformArrayPipeline::takeUpForms() {
 
 void UniformArrayPipeline::addTarget(TargetId target, TargetBuffers& buffers) {
     m_targets.erase(target);
-    m_targets.emplace(target, TargetState(buffers));
+    m_targets.emplace(target, TargetState(buffers, ++m_lastEpoch));
     refill();
 }
 
@@ -248,7 +248,7 @@ void UniformArrayPipeline::keepWhatWindowsHold(const std::set<TargetId>& targets
 
 /// Only clusters that a hit taken out or put in may have reached can come out otherwise.
 void UniformArrayPipeline::reconsider(TargetState& target, std::span<const Hit> changed) {
-    ++target.epoch;
+    target.epoch = ++m_lastEpoch;
     const std::vector<std::uint32_t> concerned = target.reach.everReached(changed);
     target.unread.add(target.reach.rangesOf(concerned));
     target.reach.limitMoved(changedBy(changed, {}, hitsOf(target.kept)));
@@ -325,7 +325,7 @@ ReadBackQueue::Take UniformArrayPipeline::delivery(const ReadBackSink& sink) {
     return [this, &sink](const ReadBackQueue::Part& part, std::uint32_t first,
                          std::span<const DynamicVertex> vertices) {
         const auto known = m_targets.find(part.target);
-        if (known == m_targets.end()) {
+        if (known == m_targets.end() || part.moment.epoch < known->second.born) {
             return;
         }
         TargetState& target = known->second;

@@ -42,12 +42,16 @@ private:
     void startOver(std::span<const Hit> history) override;
     void follow(const HistoryEdit& edit) override;
     struct TargetState {
-        explicit TargetState(TargetBuffers& targetBuffers)
-            : buffers(&targetBuffers), reach(targetBuffers.clusters(), targetBuffers.clusterTree()) {}
+        TargetState(TargetBuffers& targetBuffers, std::uint64_t firstEpoch)
+            : buffers(&targetBuffers),
+              reach(targetBuffers.clusters(), targetBuffers.clusterTree()),
+              born(firstEpoch),
+              epoch(firstEpoch) {}
         TargetBuffers* buffers;
         ClusterReach reach;
         ChangedRanges unread;
-        std::uint64_t epoch = 0;
+        std::uint64_t born;         ///< its first epoch: what was asked for before is of another mesh
+        std::uint64_t epoch;        ///< another one whenever the past of the vertices is rewritten
         std::vector<KeptHit> kept;  ///< in order
         std::size_t page = 0;       ///< its hits are [firstHit, lastHit) of that page's arrays
         std::size_t firstHit = 0;
@@ -90,6 +94,7 @@ private:
     bool m_usesForms = false;
     std::vector<KeptHit> m_history;  ///< all of it; `index` is set when one is kept
     std::uint64_t m_nextSerial = 1;
+    std::uint64_t m_lastEpoch = 0;            ///< of all targets, gone ones too: none comes twice
     std::map<TargetId, HitWindow> m_windows;  ///< as the paper has it: one, of no target
     std::vector<std::size_t> m_dropped;       ///< indices into the history, ascending
     std::map<TargetId, TargetState> m_targets;

@@ -272,6 +272,29 @@ private Q_SLOTS:
         QCOMPARE(differenceFromReference(mirror, scene, expected), QString());
     }
 
+    void whatWasAskedOfATargetThatIsGoneIsDropped_data() {
+        QTest::addColumn<int>("kind");
+        addPipelineRows();
+    }
+    /// Another one has its number before it arrives.
+    void whatWasAskedOfATargetThatIsGoneIsDropped() {
+        QFETCH(const int, kind);
+        HITSCOPE_NEEDS_PIPELINE(kind);
+        TestScene gone = makeScene({QStringLiteral("Low-poly cube")});
+        TestScene scene = makeScene({QStringLiteral("Low-poly sphere")});
+        const auto pipeline = pipelineOn(static_cast<PipelineKind>(kind), gone);
+        QVERIFY(pipeline);
+        Mirror before(gone);
+        pipeline->append(randomHits(gone, 1, 50));
+        before.poll(*pipeline);
+        pipeline->reset({});
+        pipeline->removeTarget(gone[0].id);
+        pipeline->addTarget(scene[0].id, *scene[0].buffers);
+        Mirror mirror(scene);
+        mirror.readBack(*pipeline);
+        QCOMPARE(differenceFromReference(mirror, scene, {}), QString());
+    }
+
     void callersStateIsKept_data() {
         QTest::addColumn<int>("kind");
         addPipelineRows();
