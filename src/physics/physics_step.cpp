@@ -23,8 +23,6 @@ constexpr float kNoMotion = 1.0e-5f;        // of the radius, in a step
 // Of the radius: Bullet makes a contact only where bodies overlap, so a projectile that arrives is let in
 // this far.
 constexpr float kSinkIn = 0.002f;
-// Metres, around a box: Bullet's broadphase pairs up what is some 0.1 apart, and then hulls are compared.
-constexpr btScalar kHullReach = 0.25f;
 // Of the radius: a projectile that moves less in a step and touches a target lies there or rolls. Bullet's
 // contacts are enough for that, and a sweep along a fine surface is what costs most.
 constexpr float kRollingMotion = 0.25f;
@@ -80,39 +78,6 @@ Impact physics::impactOf(TargetId target, const RigidTransform& where, const glm
     impact.radius = shot.radius;
     impact.form = shot.form;
     return impact;
-}
-
-/// Once a step, however many hits there were. Hulls meet hulls of dynamic targets only: one that none of
-/// these comes near needs none.
-void PhysicsWorld::Private::followHulls() {
-    for (auto& [id, target] : targets) {
-        if (target.hullIsOld && isNearDynamic(target)) {
-            target.hullIsOld = false;
-            if (target.shape->followSurface()) {
-                broadphase.getOverlappingPairCache()->cleanProxyFromPairs(target.body->getBroadphaseProxy(),
-                                                                          &dispatcher);
-            }
-        }
-    }
-}
-
-/// It is dynamic, or its box meets that of one which is, before or after the step.
-bool PhysicsWorld::Private::isNearDynamic(const TargetBody& target) const {
-    btVector3 low;
-    btVector3 high;
-    target.body->getAabb(low, high);
-    return std::any_of(targets.begin(), targets.end(), [&](const auto& entry) {
-        const TargetBody& other = entry.second;
-        if (!other.physics.isDynamic || &other == &target) {
-            return other.physics.isDynamic;
-        }
-        btVector3 otherLow;
-        btVector3 otherHigh;
-        other.body->getAabb(otherLow, otherHigh);
-        const btScalar way = other.body->getLinearVelocity().length() * static_cast<btScalar>(clock.step());
-        const btVector3 around = btVector3(1, 1, 1) * (2.0f * way + kHullReach);
-        return TestAabbAgainstAabb2(otherLow - around, otherHigh + around, low, high);
-    });
 }
 
 SweepScene PhysicsWorld::Private::surfacesNow(Use use) const {
@@ -227,6 +192,19 @@ void PhysicsWorld::Private::settleStrike(Flight& flight, std::map<TargetId, Touc
     }
 }
 
+/// What a target pushed it with that it does not touch: braked by it, it would glide off along the tangent
+/// plane and never come to the surface. The sweep found the way free.
+void PhysicsWorld::Private::takeBack(Flight& flight, TargetId target, Touch& touch) const {
+    const glm::vec3 change = std::exchange(touch.push, glm::vec3(0.0f)) / flight.settings.mass;
+    if (flight.touches(target)) {
+        return;  // it rolls there
+    }
+    btRigidBody& body = *flight.body;
+    body.setLinearVelocity(body.getLinearVelocity() - toBullet(change));
+    moveTo(body,
+           fromBullet(body.getWorldTransform().getOrigin()) - change * static_cast<float>(clock.step()));
+}
+
 /// `touched`: the projectile's own.
 void PhysicsWorld::Private::collect(ProjectileId id, Flight& flight, std::span<const TouchEntry> touched) {
     if (touched.empty() && !flight.strike) {
@@ -239,7 +217,7 @@ void PhysicsWorld::Private::collect(ProjectileId id, Flight& flight, std::span<c
         // Bullet brakes at once what moves along the tangent plane of a surface that it never comes to. What
         // moves itself may have come.
         if (flight.meetsNothing && touch.distance > 0.0f && !targets.at(entry.target).physics.isDynamic) {
-            touch.push = glm::vec3(0.0f);
+            takeBack(flight, entry.target, touch);
         }
     }
     std::vector<TargetId> touching;

@@ -239,25 +239,6 @@ void PhysicsWorld::resetTarget(TargetId target) {
     }
 }
 
-/// What lies on it, or leans against it, may have lost its hold.
-void PhysicsWorld::Private::wakeWhatTouches(TargetId id, const TargetBody& target) {
-    for (auto& [flightId, flight] : flights) {
-        if (flight.touches(id)) {
-            flight.body->activate(true);
-        }
-    }
-    // Bullet's own box is that of the last step: a dent that has just been made is not in it yet.
-    const btBroadphaseProxy& box = *target.body->getBroadphaseProxy();
-    for (auto& [otherId, other] : targets) {
-        if (other.physics.isDynamic && !other.body->isActive()) {
-            const btBroadphaseProxy& otherBox = *other.body->getBroadphaseProxy();
-            if (TestAabbAgainstAabb2(otherBox.m_aabbMin, otherBox.m_aabbMax, box.m_aabbMin, box.m_aabbMax)) {
-                other.body->activate(true);
-            }
-        }
-    }
-}
-
 void PhysicsWorld::Private::reshape(TargetId id, TargetBody& target, const CollisionShape::Change& change) {
     if (!change.moved) {
         return;

@@ -115,11 +115,11 @@ struct PhysicsWorld::Private {
     /// Before the world changes.
     void finishStep();
     void followHulls();
-    [[nodiscard]] bool isNearDynamic(const physics::TargetBody& target) const;
     [[nodiscard]] physics::SweepScene surfacesNow(physics::Use use) const;
     void approach(ProjectileId id, physics::Flight& flight);
     void touchAhead(physics::Flight& flight);
     void collect(ProjectileId id, physics::Flight& flight, std::span<const physics::TouchEntry> contacts);
+    void takeBack(physics::Flight& flight, TargetId target, physics::Touch& touch) const;
     void settleStrike(physics::Flight& flight, std::map<TargetId, physics::Touch>& touches);
     void strike(ProjectileId id, physics::Flight& flight, TargetId target, const physics::Touch& touch);
     void followDynamicTargets();

@@ -165,6 +165,36 @@ private Q_SLOTS:
             QVERIFY(impacts.front().impulse > 0.5f * foreseen->impulse);
         }
     }
+
+    /// Bullet brakes a projectile in the step before it touches: it would pass by what curves away from it.
+    void aGrazingShotAtACurvedMeshStrikes_data() {
+        QTest::addColumn<float>("speed");
+        QTest::newRow("5 m/s") << 5.0f;
+        QTest::newRow("10 m/s") << 10.0f;
+    }
+    void aGrazingShotAtACurvedMeshStrikes() {
+        QFETCH(float, speed);
+        const Triangles ball = sphereMesh(1.0f, 64, 32);
+        ProjectileSettings shot;
+        shot.gravity = 0.0f;
+        shot.speed = speed;
+        int struck = 0;
+        for (int i = 0; i < 60; ++i) {
+            PhysicsWorld world;
+            place(world, TargetId{1}, kHere, ball);
+            const float off = 1.0f + shot.radius - 0.0002f * static_cast<float>(i) + 0.002f;
+            const float angle = 0.37f * static_cast<float>(i);
+            const glm::vec3 from(3.0f + 0.003f * static_cast<float>(i), off * std::cos(angle),
+                                 off * std::sin(angle));
+            const auto foreseen = world.predict(from, {-1, 0, 0}, shot, false);
+            world.shoot(from, {-1, 0, 0}, shot);
+            const std::vector<Impact> impacts = run(world, 1.5);
+            QCOMPARE(impacts.size(), std::size_t{foreseen ? 1u : 0u});
+            struck += foreseen ? 1 : 0;
+            QVERIFY(!foreseen || std::abs(impacts.front().time - foreseen->time) < 1e-6);
+        }
+        QVERIFY2(struck > 20 && struck < 60, qPrintable(QString::number(struck)));
+    }
 };
 
 HITSCOPE_TEST(PhysicsSeamsTest, QCoreApplication)
