@@ -69,11 +69,14 @@ float Camera::heightAt(float distance) const {
 }
 
 glm::mat4 Camera::projection(float aspect) const {
+    // Metres: the product of both is a float, wherever a text puts the camera.
+    const float nearest = std::min(nearPlane(), 1.0e15f);
+    const float farthest = std::min(farPlane(), 1.0e18f);
     if (isOrthographic()) {
         const float half = 0.5f * heightAt(m_distance);
-        return glm::ortho(-half * aspect, half * aspect, -half, half, nearPlane(), farPlane());
+        return glm::ortho(-half * aspect, half * aspect, -half, half, nearest, farthest);
     }
-    return glm::perspective(m_fieldOfView, aspect, nearPlane(), farPlane());
+    return glm::perspective(m_fieldOfView, aspect, nearest, farthest);
 }
 
 float Camera::floorReach() const {

@@ -75,6 +75,9 @@ private Q_SLOTS:
             camera.restore({1, 2, 3}, 0.1f, 0.2f, wrong);
             QCOMPARE(camera.distance(), sceneCamera().distance());
         }
+        camera.restore({1, 2, 3}, 0.1f, 0.2f, std::numeric_limits<float>::max());
+        const glm::mat4 projection = camera.projection(1.5f);
+        QVERIFY(std::isfinite(projection[2][2]) && std::isfinite(projection[3][2]));
         camera.setPivot({1, 2, 3}, 0.1f, 0.2f, 1.0e9f);
         QCOMPARE(camera.distance(), 10.0f * camera.sceneRadius());
     }
