@@ -47,7 +47,7 @@ public:
     void add(const Target& target, std::span<const std::uint32_t> hits) {
         m_report.beginObject().text("name", target.name).beginArray("vertices");
         const FilePositions positions(target.deformed.original(), target.deformed.positions());
-        const bool areFloats = positions.fitFloats();  // as an export has them
+        const bool areFloats = positions.fitFloatsMoved();  // as an export has them
         for (const std::uint32_t vertex : changedVertices(target)) {
             const std::uint32_t reached = hits.empty() ? 0 : hits[vertex];
             areFloats ? add<glm::vec3>(target, vertex, reached, positions)

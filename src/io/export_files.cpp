@@ -140,10 +140,12 @@ Result<std::vector<PlacedTextures>> MaterialFiles::placeTextures() {
     return placed;
 }
 
+/// Whether that name leads to a file from the export's folder.
+bool MaterialFiles::isAtPlace(std::string_view name) const {
+    return !resolveTexture(m_place.folder, fileNameText(std::string(name))).isEmpty();
+}
+
 QByteArray MaterialFiles::withNewNames(const QByteArray& library, const QString& name) const {
-    if (m_renamed.empty()) {
-        return library;
-    }
     const char end = mtlLineEnd({library.constData(), static_cast<std::size_t>(library.size())});
     QList<QByteArray> lines = library.split(end);
     for (QByteArray& line : lines) {
@@ -154,9 +156,13 @@ QByteArray MaterialFiles::withNewNames(const QByteArray& library, const QString&
         if (map && renamed == m_renamed.end()) {  // of a kind that is not drawn, known by its text
             renamed = m_renamed.find(fileNameText(texture).toStdString());
         }
-        if (renamed != m_renamed.end()) {
+        std::string now = renamed != m_renamed.end() ? renamed->second : std::string();
+        if (map && now.empty() && texture != map->name && isAtPlace(map->name)) {
+            now = texture;  // it lies beside the library; the other would be taken for it
+        }
+        if (!now.empty()) {
             line.replace(map->name.data() - line.constData(), static_cast<qsizetype>(map->name.size()),
-                         QByteArray::fromStdString(renamed->second));
+                         QByteArray::fromStdString(now));
         }
     }
     return lines.join(end);

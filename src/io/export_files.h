@@ -5,6 +5,7 @@
 #include <QString>
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -63,6 +64,7 @@ private:
     [[nodiscard]] Status placePictures();
     /// Pictures that are not where the mesh's file says, and were found elsewhere.
     [[nodiscard]] Status placeLocated();
+    [[nodiscard]] bool isAtPlace(std::string_view name) const;
     [[nodiscard]] QByteArray withNewNames(const QByteArray& library, const QString& name) const;
     template <class IsSame>
     [[nodiscard]] QString freeName(const QString& name, const IsSame& isSame) const;

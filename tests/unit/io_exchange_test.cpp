@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QFile>
+#include <QImage>
 #include <QTemporaryDir>
 #include <QTest>
 #include <cmath>
@@ -10,6 +11,7 @@
 
 #include "io/import.h"
 #include "io/mtl_lines.h"
+#include "io/writers/mesh_export.h"
 #include "io_support.h"
 #include "session/export/export_target.h"
 #include "session/session.h"
@@ -88,6 +90,14 @@ private Q_SLOTS:
         QCOMPARE(read(in(QStringLiteral("two/c.ply"))).mesh.images.size(), std::size_t{1});
     }
 
+    void aPlyWithoutTextureCoordinatesNamesNone() {
+        writeTextured();
+        write(QStringLiteral("a.obj"), std::string("mtllib a.mtl\n") + kTriangle + "usemtl wood\nf 1 2 3\n");
+        QCOMPARE(convert(QStringLiteral("a.obj"), QStringLiteral("out/b.ply")),
+                 QStringList{QStringLiteral("PLY has no materials; they are left out.")});
+        QVERIFY(!QFile::exists(in(QStringLiteral("out/a.png"))));
+    }
+
     void aPlySaysWhatItLeavesOut() {
         writeTextured();
         write(QStringLiteral("a.mtl"), "newmtl wood\nKd 1 0 0\nmap_Kd a.png\n");
@@ -135,6 +145,13 @@ private Q_SLOTS:
         QCOMPARE(again.mesh.images.size(), std::size_t{1});
         QCOMPARE(QString::fromStdString(readFile(in(QStringLiteral("out/sub/a.png")))),
                  QStringLiteral("another's"));
+        // Nor is another picture taken for it that lies beside the OBJ.
+        QImage other(3, 3, QImage::Format_RGB32);
+        other.fill(Qt::blue);
+        QVERIFY(QDir().mkpath(in(QStringLiteral("two"))) && other.save(in(QStringLiteral("two/a.png"))));
+        QCOMPARE(convert(QStringLiteral("a.obj"), QStringLiteral("two/b.obj")),
+                 QStringList{QStringLiteral("Also written beside it: sub/a.png, sub/a.mtl.")});
+        QCOMPARE(read(in(QStringLiteral("two/b.obj"))).mesh.images.at(0).width, 2);
     }
 
     void anObjectOfTwoMaterialsStaysOne() {
@@ -183,6 +200,26 @@ private Q_SLOTS:
         QVERIFY(mesh.notes[1].startsWith(QStringLiteral("z points up")));
         const Bounds bounds = mesh.mesh.bounds();
         QVERIFY(std::abs(bounds.size().x - 0.02f) < 1.0e-6f && bounds.size().y < 1.0e-6f);
+    }
+
+    /// What moved less than a float's last digit, far from the file's origin.
+    void smallChangesFarAway() {
+        MeshData mesh =
+            read(write(QStringLiteral("a.obj"), "v 500000 0 0\nv 500001 0 0\nv 500000 1 0\nf 1 2 3\n")).mesh;
+        place(mesh, 1.0f);
+        std::vector<glm::vec3> moved(mesh.positions.begin(), mesh.positions.end());
+        moved[0].x += 1.0e-3f;
+        MeshExport what;
+        what.mesh = &mesh;
+        what.positions = moved;
+        QVERIFY(exportChangesCsv(what, in(QStringLiteral("a.csv"))));
+        QVERIFY2(readFile(in(QStringLiteral("a.csv"))).find("500000.00") != std::string::npos,
+                 readFile(in(QStringLiteral("a.csv"))).c_str());
+        QVERIFY(exportPly(what, in(QStringLiteral("a.ply"))));
+        const MeshData again = read(in(QStringLiteral("a.ply"))).mesh;
+        const double x = again.filePositions.empty() ? static_cast<double>(again.positions[0].x)
+                                                     : again.filePositions[0].x;
+        QVERIFY2(std::abs(x - 500'000.001) < 1.0e-6, qPrintable(QString::number(x, 'g', 17)));
     }
 
     void aMeshWithoutANameHasOne() {

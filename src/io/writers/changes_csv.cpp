@@ -57,7 +57,7 @@ Result<QStringList> exportChangesCsv(const MeshExport& what, const QString& path
     if (const Status fits = checkDisplacements(what, path); !fits) {
         return fits.error();
     }
-    const bool areFloats = FilePositions(what).fitFloats();
+    const bool areFloats = FilePositions(what).fitFloatsMoved();
     const Status written = writeInPieces(what, path, [&](PieceWriter& out) {
         areFloats ? putChanges<glm::vec3>(what, options.allVertices, out)
                   : putChanges<glm::dvec3>(what, options.allVertices, out);

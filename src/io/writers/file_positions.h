@@ -40,6 +40,8 @@ public:
         }
         return !m_mesh.filePositions.empty() || m_mesh.placement.isIdentity();
     }
+    /// And those of what moved: far from the file's origin a dent is less than a float's last digit.
+    [[nodiscard]] bool fitFloatsMoved() const { return m_mesh.placement.isIdentity() && fitFloats(); }
 
 private:
     const MeshData& m_mesh;

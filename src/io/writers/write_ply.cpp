@@ -59,7 +59,7 @@ public:
           m_values(options.encoding == PlyOptions::Encoding::Ascii ? PlyEncoding::Ascii
                                                                    : PlyEncoding::LittleEndian),
           m_added(what, options),
-          m_type(m_positions.fitFloats() ? PlyType::Float32 : PlyType::Float64),
+          m_type(m_positions.fitFloatsMoved() ? PlyType::Float32 : PlyType::Float64),
           m_normals(oneNormalPerVertex(m_mesh, what.normals)),
           m_texcoords(onePerVertex(m_mesh, m_mesh.cornerTexcoords)),
           m_hasFaceTexcoords(!m_mesh.cornerTexcoords.empty() && m_texcoords.empty()),
@@ -249,7 +249,8 @@ bool hasSource(const MeshExport& what) {
 
 /// What the file calls its one texture, whose picture is staged beside it; empty: it has none.
 Result<std::string> stageTexture(const MeshExport& what, const QFileInfo& file, StagedFiles& staged) {
-    if (what.mesh->materials.size() != 1) {
+    const bool mayNameOne = !what.mesh->cornerTexcoords.empty() || hasSource(what);
+    if (what.mesh->materials.size() != 1 || !mayNameOne) {
         return std::string();
     }
     const QString folder =
