@@ -82,6 +82,9 @@ RecoveryBar::RecoveryBar(SessionFiles& files, DiscardGuard& guard, const QString
     auto* recover = new QPushButton(tr("&Recover"), this);
     recover->setObjectName(QStringLiteral("recover"));
     recover->setToolTip(tr("Go on with that session; save it to keep it"));
+    auto* later = new QPushButton(tr("Later"), this);
+    later->setObjectName(QStringLiteral("recoverLater"));
+    later->setToolTip(tr("Keep it; the next start offers it again"));
     auto* discard = new QPushButton(tr("Discard…"), this);
     discard->setObjectName(QStringLiteral("discardRecovery"));
     discard->setToolTip(tr("Delete what was kept of that session"));
@@ -93,8 +96,10 @@ RecoveryBar::RecoveryBar(SessionFiles& files, DiscardGuard& guard, const QString
     layout->addSpacing(4);
     layout->addWidget(m_text, 1);
     layout->addWidget(recover, 0, Qt::AlignTop);
+    layout->addWidget(later, 0, Qt::AlignTop);
     layout->addWidget(discard, 0, Qt::AlignTop);
     connect(recover, &QPushButton::clicked, this, [this] { m_guard.ask([this] { this->recover(); }); });
+    connect(later, &QPushButton::clicked, this, &RecoveryBar::postpone);
     connect(discard, &QPushButton::clicked, this, &RecoveryBar::askToDiscard);
     hide();
 }
@@ -150,11 +155,31 @@ void RecoveryBar::take(const std::shared_ptr<Found>& found) {
             : u' ' + tr("A part of what was kept of it is damaged: its last changes are lost.");
     m_text->setText(tr("Hitscope ended unexpectedly. The session “%1” of %2, with %3, can be recovered.")
                         .arg(name, when, work) +
-                    lost);
+                    lost + othersText());
     const QPixmap picture = pictureOf(found->read->picture, devicePixelRatioF());
     m_picture->setPixmap(picture);
     m_picture->setVisible(!picture.isNull());
     show();
+}
+
+/// Of those that are offered after this one; empty: there are none.
+QString RecoveryBar::othersText() const {
+    const std::vector<FoundJournal> journals = findJournals(m_folder);
+    const auto others = std::count_if(journals.begin(), journals.end(), [this](const FoundJournal& journal) {
+        return !m_passedOver.contains(journal.path);
+    });
+    return others == 0 ? QString()
+                       : u' ' + tr("%Ln more {session comes|sessions come} after it.", nullptr,
+                                   trCount(static_cast<std::size_t>(others)));
+}
+
+/// Another window may offer it meanwhile.
+void RecoveryBar::postpone() {
+    if (const std::shared_ptr<Found> found = std::exchange(m_found, nullptr)) {
+        m_passedOver << found->journal.path();
+    }
+    hide();
+    look();
 }
 
 void RecoveryBar::recover() {

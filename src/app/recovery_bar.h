@@ -37,6 +37,8 @@ private:
 
     void take(const std::shared_ptr<Found>& found);
     [[nodiscard]] static QString fileOf(const Found& found);
+    [[nodiscard]] QString othersText() const;
+    void postpone();
     void recover();
     void askToDiscard();
     void takeEnded(const std::shared_ptr<Found>& found, bool isOpened);
@@ -50,7 +52,7 @@ private:
     std::shared_ptr<Found> m_found;                   ///< null: nothing is offered
     std::vector<std::shared_ptr<Found>> m_recovered;  ///< that dropRecovered() is awaited for
     bool m_isReading = false;
-    QStringList m_passedOver;  ///< journals that cannot be read
+    QStringList m_passedOver;  ///< journals that cannot be read, or are left for later
 };
 
 }  // namespace hitscope
