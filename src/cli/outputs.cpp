@@ -147,6 +147,21 @@ Error readAsWell(const NamedFile& output, const QString& target) {
                     "Take another " + wordForPlace(output).toStdString() + " for the output."});
 }
 
+/// The second of two would find the standard input empty.
+QString streamTwice(const std::vector<NamedFile>& inputs) {
+    QString first;
+    for (const NamedFile& input : inputs) {
+        if (!isStandardStream(input.path)) {
+            continue;
+        }
+        if (!first.isEmpty()) {
+            return QStringLiteral("%1 and %2 both read the standard input.").arg(first, input.as);
+        }
+        first = input.as;
+    }
+    return {};
+}
+
 }  // namespace
 
 QString wrongOutputs(const Invocation& given) {
@@ -154,6 +169,9 @@ QString wrongOutputs(const Invocation& given) {
         return QStringLiteral("%1 cannot be the standard output; ./- names a folder called -.").arg(folder);
     }
     const std::vector<NamedFile> inputs = filesOf(given, false);
+    if (QString twice = streamTwice(inputs); !twice.isEmpty()) {
+        return twice;
+    }
     std::vector<NamedFile> before;
     if (given.usage().find(QStringLiteral("json")) != nullptr && given.isSet("json")) {
         before.push_back({QStringLiteral("--json"), QStringLiteral("-")});

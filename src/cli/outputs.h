@@ -14,9 +14,10 @@ class Session;
 
 namespace hitscope::cli {
 
-/// What is wrong with the files that a command line writes, before anything is done: two of them are one, one
-/// is read by it as well, two go to the standard output, or a suffix belongs to files of another kind. A
-/// session may be written to the file that it was read from. Empty: nothing.
+/// What is wrong with the files that a command line names, before anything is done: two that it writes are
+/// one, one is read by it as well, two go to the standard output or come from the standard input, or a suffix
+/// belongs to files of another kind. A session may be written to the file that it was read from. Empty:
+/// nothing.
 [[nodiscard]] QString wrongOutputs(const Invocation& given);
 
 /// An error where a file is to be written into a folder that is not there, or onto a folder: before anything

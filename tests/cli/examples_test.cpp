@@ -60,6 +60,7 @@ void ExamplesTest::initTestCase() {
     for (const QStringList& arguments :
          {QStringList{"convert", in("bunny.obj"), in("bunny.ply")},
           QStringList{"convert", in("bunny.obj"), in("part.ply")},
+          QStringList{"convert", in("bunny.obj"), in("part.stl")},
           QStringList{"bench", "session", "--quick", "--hits", "50", "--quiet", "--report",
                       in("before.json")},
           QStringList{"bench", "session", "--quick", "--hits", "50", "--quiet", "--report", in("after.json")},

@@ -242,6 +242,15 @@ private Q_SLOTS:
         QVERIFY2(again.err.contains(QStringLiteral("Also written beside it")), qPrintable(again.err));
     }
 
+    void onlyOneReadsTheStandardInput() {
+        for (const QStringList& given :
+             {QStringList{"verify", "--hits", "-", "-"}, QStringList{"compare", "-", "-"}}) {
+            const CliRun run = runCli(given);
+            QCOMPARE(run.status, 2);
+            QVERIFY2(run.err.contains(QStringLiteral("both read the standard input")), qPrintable(run.err));
+        }
+    }
+
     void picturesThatAreLeftAreNoted() {
         const QStringList sequence{"sequence", "--size", "64x36", "--turntable"};
         QVERIFY(runCli(sequence + QStringList{"3", at("frames"), at("mesh.obj")}).status == 0);
