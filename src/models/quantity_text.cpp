@@ -37,10 +37,16 @@ Form formOf(const glm::vec3& vector) {
                                     : Form{'f', std::max(decimals, kUsualDecimals)};
 }
 
+/// What is rounded to nothing has no sign.
+double withSign(double value, const Form& form) {
+    const double half = form.format == 'f' ? 0.5 * std::pow(10.0, -form.decimals) : 0.0;
+    return value == 0.0 || std::abs(value) < half ? 0.0 : value;
+}
+
 QString joined(const glm::vec3& vector, const QString& separator, QString (*text)(double, char, int)) {
     const Form form = formOf(vector);
     const auto part = [&](float value) {
-        return text(static_cast<double>(value), form.format, form.decimals);
+        return text(withSign(static_cast<double>(value), form), form.format, form.decimals);
     };
     return part(vector.x) + separator + part(vector.y) + separator + part(vector.z);
 }
@@ -53,7 +59,7 @@ QString countText(std::size_t count) {
 
 QString quantityText(double value) {
     if (value == 0.0 || !std::isfinite(value)) {
-        return shownNumber(value, 'g', kSignificantDigits);
+        return shownNumber(value == 0.0 ? 0.0 : value, 'g', kSignificantDigits);  // not -0
     }
     const int magnitude = static_cast<int>(std::floor(std::log10(std::abs(value))));
     if (magnitude < kLeastMagnitude || magnitude > kMostMagnitude) {

@@ -45,6 +45,8 @@ private Q_SLOTS:
         QCOMPARE(vectorText({1.05e-5f, 0.0f, 2.0e-6f}), QStringLiteral("1.05e-05, 0.00e+00, 2.00e-06"));
         QCOMPARE(copiedVectorText({0.0123f, 0.0f, 0.0f}), QStringLiteral("0.0123, 0.0000, 0.0000"));
         QCOMPARE(vectorText({0.0f, 0.0f, 0.0f}), QStringLiteral("0.000, 0.000, 0.000"));
+        QCOMPARE(vectorText({1.0f, -0.0004f, -0.0f}), QStringLiteral("1.000, 0.000, 0.000"));
+        QCOMPARE(quantityText(-0.0), QStringLiteral("0"));
     }
 };
 
