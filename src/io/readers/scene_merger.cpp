@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/readers/scene_merger.h"
 
+#include <assimp/scene.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/mat3x3.hpp>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <assimp/scene.h>
-
 #include <cstddef>
 #include <cstdint>
 #include <glm/mat4x4.hpp>
@@ -12,6 +10,9 @@
 #include "core/result.h"
 #include "io/imported_mesh.h"
 #include "io/welder.h"
+
+struct aiMesh;
+struct aiScene;
 
 namespace hitscope {
 
