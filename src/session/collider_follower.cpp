@@ -14,6 +14,20 @@ namespace {
 
 constexpr std::uint32_t kBetweenLooks = 256 * kClusterVertices;  // about 1 ms
 
+/// Gives all ranges, as far as there is time; returns whether there was.
+template <class Give>
+bool handOver(ChangedRanges& ranges, const IsTimeUp& isTimeUp, const Give& give) {
+    while (!ranges.empty()) {
+        for (const VertexRange& range : ranges.take(kBetweenLooks)) {
+            give(range);
+        }
+        if (isTimeUp && isTimeUp() && !ranges.empty()) {
+            return false;
+        }
+    }
+    return true;
+}
+
 }  // namespace
 
 void ColliderFollower::add(TargetId target, std::shared_ptr<const RenderMesh> shape) {
@@ -112,13 +126,11 @@ bool ColliderFollower::update(TargetId target, Followed& followed, const IsTimeU
     if (!apply(followed, isTimeUp)) {
         return false;
     }
-    while (!followed.toTake.empty()) {
-        for (const VertexRange& range : followed.toTake.take(kBetweenLooks)) {
-            m_physics.updateTarget(target, range.first, followed.state->vertices(range));
-        }
-        if (isTimeUp && isTimeUp() && !followed.toTake.empty()) {
-            return false;
-        }
+    const bool isTaken = handOver(followed.toTake, isTimeUp, [&](const VertexRange& range) {
+        m_physics.updateTarget(target, range.first, followed.state->vertices(range));
+    });
+    if (!isTaken) {
+        return false;
     }
     followed.toTell = {};
     followed.dueStep.reset();
@@ -134,15 +146,9 @@ bool ColliderFollower::prepare(TargetId target, Followed& followed, const IsTime
     if (!apply(followed, isTimeUp)) {
         return false;
     }
-    while (!followed.toTell.empty()) {
-        for (const VertexRange& range : followed.toTell.take(kBetweenLooks)) {
-            m_physics.updateForQuestions(target, range.first, followed.state->vertices(range));
-        }
-        if (isTimeUp && isTimeUp() && !followed.toTell.empty()) {
-            return false;
-        }
-    }
-    return true;
+    return handOver(followed.toTell, isTimeUp, [&](const VertexRange& range) {
+        m_physics.updateForQuestions(target, range.first, followed.state->vertices(range));
+    });
 }
 
 bool ColliderFollower::updateDue(const IsTimeUp& isTimeUp) {
