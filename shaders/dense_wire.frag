@@ -2,6 +2,8 @@
 #version 330 core
 // A wireframe whose edges are a pixel or less: what its lines (wire.vert, wire.frag) cover of a pixel, all together.
 
+#include "sight.glsl"
+
 in vec3 v_position;  // from the eye
 in vec3 v_normal;
 
@@ -12,7 +14,7 @@ out vec4 o_colour;  // premultiplied by its opacity
 
 void main()
 {
-    float facing = abs(dot(normalize(v_normal), normalize(v_position)));
+    float facing = abs(dot(normalize(v_normal), normalize(sightTo(v_position))));
     float edge = u_edgePixels * gl_FragCoord.w;
     float density = mix(0.15, 1.0, smoothstep(0.5, 9.0, edge));  // as in wire.vert
     // Squares have two edges each; seen at an angle they lie closer.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #version 330 core
 
+#include "sight.glsl"
+
 in vec3 v_position;
 in vec3 v_corner;
 
@@ -15,7 +17,8 @@ out vec4 o_colour;
 void main()
 {
     vec3 normal = cross(dFdx(v_position), dFdy(v_position));
-    float facing = abs(dot(normal, v_position - u_eye)) / max(length(normal) * length(v_position - u_eye), 1.0e-20);
+    vec3 sight = sightTo(v_position - u_eye);
+    float facing = abs(dot(normal, sight)) / max(length(normal) * length(sight), 1.0e-20);
     vec3 pixels = v_corner / max(fwidth(v_corner), vec3(1.0e-9));
     float edge = 1.0 - smoothstep(0.5 * u_width - 0.5, 0.5 * u_width + 0.5, min(pixels.x, min(pixels.y, pixels.z)));
     // Where triangles are a pixel or two large, edges would be all there is.

@@ -21,7 +21,7 @@ vec3 environmentAt(vec3 direction, float layer)
 
 vec3 environmentLight(Surface s)
 {
-    vec3 toEye = -normalize(s.position);
+    vec3 toEye = -normalize(sightTo(s.position));
     vec3 mirrored = reflect(-toEye, s.normal);
     float facing = clamp(dot(s.normal, toEye), 0.0, 1.0);
     float towardsKey = max(dot(s.normal, u_keyLight), 0.0);

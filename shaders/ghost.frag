@@ -2,6 +2,8 @@
 #version 330 core
 // A target as it was, like glass over what has become of it: clear where one looks straight through, denser at its rim.
 
+#include "sight.glsl"
+
 in vec3 v_position;  // from the eye
 in vec3 v_normal;
 
@@ -11,7 +13,7 @@ out vec4 o_colour;
 
 void main()
 {
-    float facing = abs(dot(normalize(v_normal), normalize(v_position)));
+    float facing = abs(dot(normalize(v_normal), normalize(sightTo(v_position))));
     float grazing = 1.0 - facing;
     o_colour = vec4(u_colour.rgb, u_colour.a * mix(0.22, 0.7, grazing * grazing));
 }

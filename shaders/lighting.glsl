@@ -14,6 +14,7 @@
 // than all the arithmetic below.
 
 #include "light_terms.glsl"
+#include "sight.glsl"
 
 struct Surface {
     vec3 position;
@@ -95,7 +96,11 @@ vec3 phong(Surface s)
     float eyeSquared = max(dot(s.position, s.position), 1.0e-12);
     float perEye = inversesqrt(eyeSquared);
     vec3 toEye = -s.position * perEye;
+#ifdef HITSCOPE_ORTHOGRAPHIC
+    vec3 mirrored = reflect(u_lookAlong, s.normal);
+#else
     vec3 mirrored = reflect(-toEye, s.normal);
+#endif
 
     Arrived arrived;
     arrived.diffuse = vec3(0.0);

@@ -6,7 +6,7 @@ uniform vec3 u_up;  // unit, the picture's
 
 vec3 matcapLight(Surface s)
 {
-    vec3 toEye = -normalize(s.position);
+    vec3 toEye = -normalize(sightTo(s.position));
     vec3 right = normalize(cross(u_up, toEye));
     vec3 up = cross(toEye, right);
     vec2 at = vec2(dot(s.normal, right), -dot(s.normal, up));

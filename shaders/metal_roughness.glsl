@@ -23,7 +23,7 @@ void setMetalRoughness(inout Surface s, vec3 base, vec2 metalRoughness)
 void addReflected(inout Arrived arrived, vec3 colour, vec3 strengths, Surface s, vec3 toLight, float lit)
 {
     arrived.around += colour * (strengths.x + kAround * strengths.y);
-    vec3 toEye = -normalize(s.position);
+    vec3 toEye = -normalize(sightTo(s.position));
     vec3 middle = normalize(toLight + toEye + vec3(0.0, 1.0e-6, 0.0));
     float towards = max(dot(s.normal, middle), 0.0);
     float across = max(dot(toLight, middle), 0.1);
@@ -37,7 +37,7 @@ void addReflected(inout Arrived arrived, vec3 colour, vec3 strengths, Surface s,
 // What the surface reflects of sky and ground. How much: B. Karis, "Physically based shading on mobile", 2014.
 vec3 surroundings(vec3 around, Surface s, vec3 mirrored)
 {
-    float facing = clamp(dot(s.normal, -normalize(s.position)), 0.0, 1.0);
+    float facing = clamp(dot(s.normal, -normalize(sightTo(s.position))), 0.0, 1.0);
     vec4 r = s.roughness * vec4(-1.0, -0.0275, -0.572, 0.022) + vec4(1.0, 0.0425, 1.04, -0.04);
     float a = min(r.x * r.x, exp2(-9.28 * facing)) * r.x + r.y;
     vec3 reflected = s.specular * (-1.04 * a + r.z) + (1.04 * a + r.w);

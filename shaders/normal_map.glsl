@@ -26,6 +26,7 @@ vec3 mappedNormal(vec3 normal)
     float size = inversesqrt(longest);
     vec3 mapped = normalize(texel.x * size * tangent + texel.y * size * bitangent + texel.z * normal);
     // What the map turns away from the eye would be lit from behind.
-    float away = dot(mapped, v_position);
-    return away > 0.0 ? normalize(mapped - (away / dot(v_position, v_position) + 1.0e-4) * v_position) : mapped;
+    vec3 sight = sightTo(v_position);
+    float away = dot(mapped, sight);
+    return away > 0.0 ? normalize(mapped - (away / dot(sight, sight) + 1.0e-4) * sight) : mapped;
 }

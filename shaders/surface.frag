@@ -94,12 +94,12 @@ vec3 facingNormal()
 {
 #ifdef HITSCOPE_FLAT
     vec3 across = normalize(cross(dFdx(v_position), dFdy(v_position)));
-    return dot(across, v_position) > 0.0 ? -across : across;
+    return dot(across, sightTo(v_position)) > 0.0 ? -across : across;
 #else
     vec3 normal = v_normal;
     if (dot(normal, normal) < 1.0e-12) {
         normal = cross(dFdx(v_position), dFdy(v_position));
-        return dot(normal, v_position) > 0.0 ? -normalize(normal) : normalize(normal);
+        return dot(normal, sightTo(v_position)) > 0.0 ? -normalize(normal) : normalize(normal);
     }
     normal = normalize(normal);
     return gl_FrontFacing ? normal : -normal;
@@ -134,12 +134,6 @@ float ring()
 
 void main()
 {
-#ifdef HITSCOPE_CUT_FILLED
-    if (isFilling()) {
-        o_colour = vec4(filling(), 1.0);
-        return;
-    }
-#endif
 #ifdef HITSCOPE_MARKS
     float ringed = ring();
 #endif
@@ -148,7 +142,7 @@ void main()
     opacity = u_opacity;
 #endif
 #ifdef HITSCOPE_CHANGE_MAP
-    vec3 light = changeColour(abs(dot(facingNormal(), normalize(v_position))));
+    vec3 light = changeColour(abs(dot(facingNormal(), normalize(sightTo(v_position)))));
 #ifdef HITSCOPE_MARKS
     light = mix(light, u_ringColour, ringed);
 #endif
@@ -157,9 +151,6 @@ void main()
     vec3 albedo = u_diffuse;
 #ifdef HITSCOPE_TEXTURED
     vec4 texel = texture(u_texture, vec2(v_texcoord.x, 1.0 - v_texcoord.y));
-    if (texel.a < 0.5) {
-        discard;
-    }
     albedo *= texel.rgb;
 #endif
 #ifdef HITSCOPE_COLOURS
@@ -203,7 +194,7 @@ void main()
     vec3 light = phong(surface);
 #endif
 #ifdef HITSCOPE_MARKS
-    float grazing = 1.0 - abs(dot(surface.normal, normalize(v_position)));
+    float grazing = 1.0 - abs(dot(surface.normal, normalize(sightTo(v_position))));
     light += u_rim.rgb * (u_rim.a * grazing * grazing * grazing);
     light = mix(light, u_ringColour, ringed);
 #endif
@@ -215,5 +206,17 @@ void main()
 #endif
     o_colour.rgb *= open;
 #endif
+#endif
+    // At the end: what is derived from neighbouring pixels needs all of them.
+#ifdef HITSCOPE_CUT_FILLED
+    if (isFilling()) {
+        o_colour = vec4(filling(), 1.0);
+        return;
+    }
+#endif
+#if defined(HITSCOPE_TEXTURED) && !defined(HITSCOPE_CHANGE_MAP)
+    if (texel.a < 0.5) {
+        discard;
+    }
 #endif
 }

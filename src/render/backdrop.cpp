@@ -129,7 +129,9 @@ Status drawFloor(const FrameContext& context) {
 Status drawFloorOpen(const FrameContext& given, const glm::ivec2& size) {
     FrameContext context = given;
     context.shadows = nullptr;
-    const auto program = context.programs.get("floor.vert", "floor_open.frag", occlusionDefines(context));
+    gl::Defines defines = occlusionDefines(context);
+    addSight(defines, context.frame);
+    const auto program = context.programs.get("floor.vert", "floor_open.frag", defines);
     if (!program) {
         return program.error();
     }

@@ -28,7 +28,9 @@ Status DentGhostPass::draw(const FrameContext& context) {
     if (!ghost || ghost->empty()) {
         return Done{};
     }
-    const auto found = context.programs.get("dent_ghost.vert", "dent_ghost.frag");
+    gl::Defines defines;
+    addSight(defines, context.frame);
+    const auto found = context.programs.get("dent_ghost.vert", "dent_ghost.frag", defines);
     if (!found) {
         return found.error();
     }
@@ -43,6 +45,7 @@ Status DentGhostPass::draw(const FrameContext& context) {
     program.use();
     program.set("u_viewProjection", context.viewProjection);
     program.set("u_eye", context.eye);
+    setSight(program, context.frame);
     program.set("u_colour", context.colours.accent);
     program.set("u_fill", kFill);
     program.set("u_line", kLine);

@@ -74,6 +74,26 @@ std::optional<Bounds> drawnBounds(const DrawItem& item, const Frame& frame,
     return reach != nullptr ? std::optional(reach->bounds()) : std::nullopt;
 }
 
+std::optional<Bounds> probableBounds(const DrawItem& item, const Frame& frame,
+                                     const DeformationPipeline& pipeline) {
+    const float exaggeration = frame.options.beforeAfter.exaggeration;
+    const ClusterReach* reach = pipeline.reach(item.target);
+    if (item.original || exaggeration == 1.0f || reach == nullptr) {
+        return drawnBounds(item, frame, pipeline);
+    }
+    // Clusters are flat: where they bulge, their boxes have moved as far as their vertices.
+    Bounds all = item.buffers->originalBounds();
+    for (std::size_t i = 0; i < reach->clusters().size(); ++i) {
+        if (!reach->isOriginal(i)) {
+            const Bounds& before = reach->clusters()[i].bounds;
+            const Bounds now = reach->bounds(i);
+            all.add(before.min + exaggeration * (now.min - before.min));
+            all.add(before.max + exaggeration * (now.max - before.max));
+        }
+    }
+    return all;
+}
+
 bool mayShow(const DrawItem& item, const Frame& frame, const DeformationPipeline& pipeline,
              const glm::mat4& viewProjection, const PictureWindow& window) {
     const std::optional<Bounds> bounds = drawnBounds(item, frame, pipeline);

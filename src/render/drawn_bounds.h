@@ -63,6 +63,9 @@ private:
 /// Of all of them.
 [[nodiscard]] std::optional<Bounds> drawnBounds(const DrawItem& item, const Frame& frame,
                                                 const DeformationPipeline& pipeline);
+/// Likewise, and about where exaggerated vertices are.
+[[nodiscard]] std::optional<Bounds> probableBounds(const DrawItem& item, const Frame& frame,
+                                                   const DeformationPipeline& pipeline);
 
 /// Whether some of the target may be drawn within the window; true where that is not known.
 [[nodiscard]] bool mayShow(const DrawItem& item, const Frame& frame, const DeformationPipeline& pipeline,

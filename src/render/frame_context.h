@@ -100,7 +100,13 @@ struct FrameContext {
 /// Writes the uniforms of lighting.glsl in a program built with lightDefines(); it is in use.
 void setLights(const gl::Program& program, const FrameContext& context);
 
-/// What programs that include occlusion.glsl are built with; empty without context.occlusion.
+/// For programs that include sight.glsl.
+void addSight(gl::Defines& defines, const Frame& frame);
+/// Writes its uniform in a program built with that; it is in use.
+void setSight(const gl::Program& program, const Frame& frame);
+
+/// What programs that include occlusion.glsl are built with; empty without context.occlusion. They need
+/// addSight(), too.
 [[nodiscard]] gl::Defines occlusionDefines(const FrameContext& context);
 /// Writes its uniforms; the program is in use. offset: of what is drawn, pixels.
 void setOcclusion(const gl::Program& program, const FrameContext& context, const glm::vec2& offset);

@@ -31,7 +31,9 @@ std::size_t drawChanged(const DrawItem& item) {
 
 /// Targets whose edges are shorter than `belowEdge` (logical pixels).
 Status drawTranslucent(const FrameContext& originals, float belowEdge, float opacity) {
-    const auto found = originals.programs.get("surface.vert", "ghost.frag", cutDefines(originals.frame));
+    gl::Defines defines = cutDefines(originals.frame);
+    addSight(defines, originals.frame);
+    const auto found = originals.programs.get("surface.vert", "ghost.frag", defines);
     if (!found) {
         return found.error();
     }
@@ -39,6 +41,7 @@ Status drawTranslucent(const FrameContext& originals, float belowEdge, float opa
     program.use();
     program.set("u_viewProjection", originals.viewProjection);
     program.set("u_eye", originals.eye);
+    setSight(program, originals.frame);
     program.set("u_colour", glm::vec4(originals.colours.accent, opacity));
     setCut(program, originals.frame);
     const ClipByCut clip(originals.frame);

@@ -74,6 +74,18 @@ bool areAlike(const std::array<PointLight, 4>& lights) {
 
 }  // namespace
 
+void addSight(gl::Defines& defines, const Frame& frame) {
+    if (frame.camera.isOrthographic()) {
+        defines.emplace_back("HITSCOPE_ORTHOGRAPHIC", "1");
+    }
+}
+
+void setSight(const gl::Program& program, const Frame& frame) {
+    if (frame.camera.isOrthographic()) {
+        program.set("u_lookAlong", frame.camera.forward());
+    }
+}
+
 gl::Defines lightDefines(const Lights& lights) {
     gl::Defines defines;
     if (lights.directional.on) {

@@ -184,6 +184,16 @@ void attachNeedles(const TargetBuffers& buffers, std::uint32_t step) {
     attach(Attribute::ShadingNormal, buffers.shadingNormalBuffer(), sizeof(glm::vec3), 0);
 }
 
+/// A vertex array keeps the buffers of a target in memory that is gone.
+void detachNeedles() {
+    glBindBuffer(GL_ARRAY_BUFFER, 0);
+    for (const Attribute attribute :
+         {Attribute::Position, Attribute::Normal, Attribute::OriginalPosition, Attribute::ShadingNormal}) {
+        glDisableVertexAttribArray(static_cast<GLuint>(attribute));
+        glVertexAttribPointer(static_cast<GLuint>(attribute), 3, GL_FLOAT, GL_FALSE, 0, nullptr);
+    }
+}
+
 }  // namespace
 
 float nearestEdgePixels(const FrameContext& context, const DrawItem& item) {
@@ -260,6 +270,7 @@ Status NeedlePass::draw(const FrameContext& context, DeformationPipeline& pipeli
         attachNeedles(*item.buffers, step);
         glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(count));
     }
+    detachNeedles();
     return Done{};
 }
 

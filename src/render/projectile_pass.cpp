@@ -75,8 +75,9 @@ Status ProjectilePass::draw(const FrameContext& context) {
     if (items.empty()) {
         return Done{};
     }
-    const auto found =
-        context.programs.get("projectile.vert", "surface.frag", lightDefines(context.frame.lights));
+    gl::Defines defines = lightDefines(context.frame.lights);
+    addSight(defines, context.frame);
+    const auto found = context.programs.get("projectile.vert", "surface.frag", defines);
     if (!found) {
         return found.error();
     }
@@ -85,6 +86,7 @@ Status ProjectilePass::draw(const FrameContext& context) {
     setLights(program, context);
     program.set("u_viewProjection", context.viewProjection);
     program.set("u_eye", context.eye);
+    setSight(program, context.frame);
     program.set("u_specular", glm::vec3(0.6f));
     program.set("u_shininess", 48.0f);
 

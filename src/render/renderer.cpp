@@ -168,12 +168,19 @@ void prepareFramebuffer(const Frame& frame, GLuint framebuffer, const DrawnPixel
     if (before == Before::Stays) {
         return;
     }
+    const bool isBeside = frame.left > 0 && within == nullptr;  // of another picture, which stays
+    if (isBeside) {
+        limitDrawing(PixelArea{frame.left, 0, frame.width, frame.height});
+    }
     if (frame.options.transparent || frame.options.wireframe == WireframeMode::Only) {
         glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
         glClear(GL_COLOR_BUFFER_BIT);
     }
     glClearDepth(1.0);
     glClear(GL_DEPTH_BUFFER_BIT);
+    if (isBeside) {
+        glDisable(GL_SCISSOR_TEST);
+    }
 }
 
 Status drawMarks(const FrameContext& context, DeformationPipeline& pipeline) {
@@ -255,16 +262,15 @@ Status Renderer::Private::drawWiped(const FrameContext& context, DeformationPipe
     const OriginalFrame originals(frame);
     const float split = 2.0f * static_cast<float>(line) / static_cast<float>(frame.width) - 1.0f;
     FrameContext before = contextOf(originals.frame);
-    before.shadows = context.shadows;
+    before.shadows = context.shadows != nullptr ? &originalShadowsFor(*context.shadows) : nullptr;
     before.floorLayers = context.floorLayers;
     before.textureSampler = context.textureSampler;
     before.window = PictureWindow{.high = glm::vec2(split, 1.0f)};
     FrameContext after = context;
     after.window = PictureWindow{.low = glm::vec2(split, -1.0f)};
-    OriginalShape shape;
     glEnable(GL_SCISSOR_TEST);
     glScissor(frame.left, 0, line, frame.height);
-    Status status = drawTargets(before, shape);
+    Status status = drawTargets(before, originalShape);
     if (status) {
         glScissor(frame.left + line, 0, frame.width - line, frame.height);
         startSolid();
@@ -299,13 +305,18 @@ std::shared_ptr<const MaterialSet> Renderer::makeCover(const Image& texture) {
 Status Renderer::Private::drawPicture(const FrameContext& context, DeformationPipeline& pipeline,
                                       GLuint framebuffer, const DrawnPixels* within) {
     const bool isFirst = context.part.isFirst();
+    const bool isWiped = context.frame.options.beforeAfter.wipe;
+    if (Status status =
+            isWiped && context.shadows != nullptr ? updateOriginalShadows(context) : Status(Done{});
+        !status) {
+        return status;
+    }
     prepareFramebuffer(context.frame, framebuffer, within, isFirst ? Before::Goes : Before::Stays);
     startSolid();
     if (Status status = isFirst ? projectiles.draw(context) : Status(Done{}); !status) {
         return status;
     }
-    Status status =
-        context.frame.options.beforeAfter.wipe ? drawWiped(context, pipeline) : drawScene(context, pipeline);
+    Status status = isWiped ? drawWiped(context, pipeline) : drawScene(context, pipeline);
     if (!status || !context.part.isLast()) {
         return status;
     }
@@ -324,41 +335,6 @@ Status Renderer::Private::drawOver(const FrameContext& context) {
         return status;
     }
     return drawCrosshair(context);
-}
-
-/// A coarse frame leaves the other map as it is: what has moved since is drawn there when it is wanted.
-ShadowMap& Renderer::Private::shadowsFor(const FrameContext& context, const DeformationPipeline& pipeline) {
-    return context.frame.coarse && !shadows.isUpToDate(context, pipeline) ? coarseShadows : shadows;
-}
-
-Status Renderer::Private::updateShadows(FrameContext& context, DeformationPipeline& pipeline) {
-    if (!ShadowMap::isWanted(context.frame)) {
-        return Done{};
-    }
-    ShadowMap& map = shadowsFor(context, pipeline);
-    Status updated = map.update(context, pipeline);
-    context.shadows = &map;
-    return updated;
-}
-
-Status Renderer::prepare(const Frame& given, DeformationPipeline& pipeline) {
-    const KeepState keep;
-    const LitFrame lit(given);
-    if (!ShadowMap::isWanted(lit.frame())) {
-        return Done{};
-    }
-    const FrameContext context = d->contextOf(lit.frame());
-    ShadowMap& map = d->shadowsFor(context, pipeline);
-    return map.make() ? Status(Done{}) : map.update(context, pipeline);
-}
-
-bool Renderer::isPrepared(const Frame& given, const DeformationPipeline& pipeline) {
-    const LitFrame lit(given);
-    if (!ShadowMap::isWanted(lit.frame())) {
-        return true;
-    }
-    const FrameContext context = d->contextOf(lit.frame());
-    return d->shadowsFor(context, pipeline).isUpToDate(context, pipeline);
 }
 
 bool Renderer::wasCoarse() const {

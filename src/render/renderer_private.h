@@ -12,6 +12,7 @@
 #include "render/frame_context.h"
 #include "render/gl_state.h"
 #include "render/line_pass.h"
+#include "render/original_shape.h"
 #include "render/projectile_pass.h"
 #include "render/refined/refined_picture.h"
 #include "render/refined/varying_area.h"
@@ -70,6 +71,10 @@ struct Renderer::Private {
     /// those of a place that is looked from again are kept while the camera alone moves. The last is of all
     /// other places.
     std::vector<render::ShadowMap> sampleShadows;
+    // Left of a wipe's line: of a frame, and of a sample.
+    render::OriginalShape originalShape;
+    render::ShadowMap originalShadows{software};
+    render::ShadowMap originalSampleShadows{software, render::ShadowMap::Edges::Sampled};
     gl::Sampler sampleTextures;  ///< made with the first sample that needs it
     render::Studio studio;
     // Of the sample at hand; none: the picture is drawn as it is.
@@ -86,6 +91,9 @@ struct Renderer::Private {
     /// The frame's own, where it has shadows.
     [[nodiscard]] Status updateShadows(render::FrameContext& context, DeformationPipeline& pipeline);
     [[nodiscard]] render::ShadowMap& sampleShadowsAt(int place);
+    /// The one that goes with a map of what is drawn now.
+    [[nodiscard]] render::ShadowMap& originalShadowsFor(const render::ShadowMap& map);
+    [[nodiscard]] Status updateOriginalShadows(const render::FrameContext& context);
     [[nodiscard]] render::FrameContext contextOf(const Frame& frame);
     /// Targets and projectiles into a framebuffer, what is selected as well; nothing over them. In parts, the
     /// framebuffer keeps what the ones before have drawn.

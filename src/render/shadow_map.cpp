@@ -10,6 +10,7 @@
 #include <string>
 
 #include "deform/cluster_reach.h"
+#include "render/drawn_bounds.h"
 #include "render/refined/moved_area.h"
 #include "render/refined/varying_area.h"
 #include "render/seen_area.h"
@@ -19,16 +20,68 @@ namespace hitscope::render {
 namespace {
 
 constexpr int kSize = 2048;
-constexpr float kShadowSpread = 1.6f;   // texels from one look to the next
-constexpr float kShadowMargin = 0.05f;  // of the targets' extent: dents can bulge
-constexpr float kDepthBias = 1.5f;      // texels
+constexpr float kShadowSpread = 1.6f;  // texels from one look to the next
+constexpr float kLeastMargin = 0.05f;  // of the targets' extent
+constexpr float kMostMargin = 1.6f;    // beyond, texels would be too coarse
+constexpr float kDepthBias = 1.5f;     // texels
 
 glm::vec3 directionOf(const Frame& frame) {
     const glm::vec3& given = frame.lights.directional.direction;
     return glm::length(given) > 1.0e-6f ? given : glm::vec3(0.0f, -1.0f, 0.0f);
 }
 
+/// From the world to the light's axes.
+glm::mat4 lightView(const glm::vec3& given) {
+    const glm::vec3 direction = glm::normalize(given);
+    const glm::vec3 up =
+        std::abs(direction.y) < 0.9f ? glm::vec3(0.0f, 1.0f, 0.0f) : glm::vec3(1.0f, 0.0f, 0.0f);
+    return glm::lookAt(glm::vec3(0.0f), direction, up);
+}
+
+void addSeen(Bounds& all, const glm::mat4& view, const Bounds& box) {
+    if (!box.empty()) {
+        for (const glm::vec3& corner : cornersOf(box)) {
+            all.add(glm::vec3(view * glm::vec4(corner, 1.0f)));
+        }
+    }
+}
+
+/// The original shapes, in the light's axes.
+Bounds originalsSeen(const Frame& frame, const glm::mat4& view) {
+    Bounds seen;
+    for (const DrawItem& item : frame.targets) {
+        addSeen(seen, view, worldBounds(item));
+    }
+    if (seen.empty()) {
+        seen.add(glm::vec3(0.0f));
+    }
+    return seen;
+}
+
+float extentOf(const Bounds& seen) {
+    return std::max({seen.size().x, seen.size().y, 1.0e-6f});
+}
+
 }  // namespace
+
+float ShadowMap::marginOf(const Frame& frame, const DeformationPipeline& pipeline) {
+    const glm::mat4 view = lightView(directionOf(frame));
+    const Bounds original = originalsSeen(frame, view);
+    Bounds drawn = original;
+    for (const DrawItem& item : frame.targets) {
+        if (const std::optional<Bounds> bounds = probableBounds(item, frame, pipeline)) {
+            addSeen(drawn, view * item.model, *bounds);
+        }
+    }
+    const glm::vec3 more = glm::max(original.min - drawn.min, drawn.max - original.max);
+    const float wanted = std::max(more.x, more.y) / extentOf(original);
+    // In steps, or each dent that bulges further would move all of the map's texels.
+    float margin = kLeastMargin;
+    while (margin < wanted && margin < kMostMargin) {
+        margin *= 2.0f;
+    }
+    return margin;
+}
 
 ShadowMap::ShadowMap(bool software, Edges edges)
     : m_software(software), m_edges(edges), m_size(software ? kSoftwareSize : kSize) {}
@@ -79,29 +132,14 @@ void ShadowMap::makeTexture() {
 }
 
 glm::mat4 ShadowMap::place(const FrameContext& context) {
-    const glm::vec3 direction = glm::normalize(m_direction);
-    const glm::vec3 up =
-        std::abs(direction.y) < 0.9f ? glm::vec3(0.0f, 1.0f, 0.0f) : glm::vec3(1.0f, 0.0f, 0.0f);
-    const glm::mat4 view = glm::lookAt(glm::vec3(0.0f), direction, up);
-    Bounds seen;
-    for (const DrawItem& item : context.frame.targets) {
-        const Bounds bounds = worldBounds(item);
-        for (int corner = 0; corner < 8 && !bounds.empty(); ++corner) {
-            const glm::vec3 at((corner & 1) != 0 ? bounds.max.x : bounds.min.x,
-                               (corner & 2) != 0 ? bounds.max.y : bounds.min.y,
-                               (corner & 4) != 0 ? bounds.max.z : bounds.min.z);
-            seen.add(glm::vec3(view * glm::vec4(at, 1.0f)));
-        }
-    }
-    if (seen.empty()) {
-        seen.add(glm::vec3(0.0f));
-    }
-    const float extent = std::max({seen.size().x, seen.size().y, 1.0e-6f});
-    const glm::vec3 grown(kShadowMargin * extent);
+    const glm::mat4 view = lightView(m_direction);
+    const Bounds seen = originalsSeen(context.frame, view);
+    const float extent = extentOf(seen);
+    const glm::vec3 grown(m_margin * extent);
     const glm::vec3 low = seen.min - grown;
     const glm::vec3 high = seen.max + grown;
     const glm::mat4 projection = glm::ortho(low.x, high.x, low.y, high.y, -high.z, -low.z);
-    m_texel = (1.0f + 2.0f * kShadowMargin) * extent / static_cast<float>(m_size);
+    m_texel = (1.0f + 2.0f * m_margin) * extent / static_cast<float>(m_size);
     const float depthBias = kDepthBias * m_texel / (high.z - low.z);
     m_matrix = glm::translate(glm::mat4(1.0f), glm::vec3(0.5f, 0.5f, 0.5f - depthBias)) *
                glm::scale(glm::mat4(1.0f), glm::vec3(0.5f)) * projection * view;
@@ -114,15 +152,17 @@ ShadowMap::Change ShadowMap::changeSince(const FrameContext& context,
     const bool isOfThese = frame.meshRevision != 0 && m_pipeline == &pipeline &&
                            directionOf(frame) == m_direction && castersOf(frame) == m_casters &&
                            frame.options.beforeAfter.exaggeration == m_exaggeration;
-    return !isOfThese                             ? Change::Anything
-           : frame.meshRevision == m_meshRevision ? Change::Nothing
-                                                  : Change::Vertices;
+    if (isOfThese && frame.meshRevision == m_meshRevision) {
+        return Change::Nothing;
+    }
+    return isOfThese && marginOf(frame, pipeline) == m_margin ? Change::Vertices : Change::Anything;
 }
 
 void ShadowMap::follow(const FrameContext& context, const DeformationPipeline& pipeline) {
     const Frame& frame = context.frame;
     m_casters = castersOf(frame);
     m_direction = directionOf(frame);
+    m_margin = marginOf(frame, pipeline);
     m_exaggeration = frame.options.beforeAfter.exaggeration;
     m_meshRevision = frame.meshRevision;
     m_pipeline = &pipeline;
@@ -220,6 +260,7 @@ Status ShadowMap::draw(const FrameContext& context, DeformationPipeline& pipelin
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_TRUE);
     glDepthFunc(GL_LESS);
+    glEnable(GL_DEPTH_CLAMP);  // what bulges towards the light casts a shadow from wherever it is
     std::optional<PictureWindow> window;
     if (m_area) {
         limitDrawing(*m_area);
@@ -234,6 +275,7 @@ Status ShadowMap::draw(const FrameContext& context, DeformationPipeline& pipelin
     ++m_drawn;
     Status status = drawSurfaceDepth(part, pipeline, toClip, DepthOf::Whole, 0.0f, window);
     glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_DEPTH_CLAMP);
     return status;
 }
 

@@ -25,6 +25,13 @@ public:
 
     /// Whether a frame has shadows.
     [[nodiscard]] static bool isWanted(const Frame& frame);
+    /// How far the map of a frame reaches beyond the original shapes, in their extent: in steps, from 0.05
+    /// on, as what is drawn bulges.
+    [[nodiscard]] static float marginOf(const Frame& frame, const DeformationPipeline& pipeline);
+    /// Whether the map as it is was drawn with that, if it was drawn.
+    [[nodiscard]] bool hasMarginFor(const Frame& frame, const DeformationPipeline& pipeline) const {
+        return m_margin == 0.0f || marginOf(frame, pipeline) == m_margin;
+    }
     /// Brings the map up to date, or on by one of so many parts. Leaves framebuffer and viewport changed,
     /// depth test and writes on.
     [[nodiscard]] Status update(const FrameContext& context, DeformationPipeline& pipeline,
@@ -47,6 +54,9 @@ public:
     void apply(const gl::Program& program) const;
     /// From the world to the map's texture coordinates and depth, [0, 1] each.
     [[nodiscard]] const glm::mat4& matrix() const { return m_matrix; }
+    [[nodiscard]] Edges edges() const { return m_edges; }
+    /// Of the light that it was drawn for.
+    [[nodiscard]] const glm::vec3& direction() const { return m_direction; }
     /// Metres.
     [[nodiscard]] float texel() const { return m_texel; }
 
@@ -86,6 +96,7 @@ private:
     std::vector<std::uint64_t> m_moments;  ///< of these, at which the map shows them (ClusterReach)
     glm::vec3 m_direction{0.0f};
     float m_exaggeration = 1.0f;
+    float m_margin = 0.0f;  ///< marginOf()
     std::uint64_t m_meshRevision = 0;
     std::optional<PixelArea> m_area;  ///< texels that are drawn; nothing: all
     std::uint32_t m_parts = 1;        ///< that they are drawn in

@@ -97,6 +97,7 @@ gl::Defines surfaceDefines(const FrameContext& context, const DeformationPipelin
                            const Parts& parts) {
     const Frame& frame = context.frame;
     gl::Defines defines = targetDefines(frame, pipeline);
+    addSight(defines, frame);
     if (frame.change) {
         defines.emplace_back("HITSCOPE_CHANGE_MAP", "1");
     } else {
@@ -139,6 +140,7 @@ void setSurface(const gl::Program& program, const FrameContext& context) {
     setDrawnPlace(program, frame);
     program.set("u_viewProjection", context.viewProjection);
     program.set("u_eye", context.eye);
+    setSight(program, frame);
     if (hasMarks(frame)) {
         program.set("u_ring", frame.highlightedHit ? glm::vec4(frame.highlightedHit->centre - context.eye,
                                                                frame.highlightedHit->radius)

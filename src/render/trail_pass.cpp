@@ -38,7 +38,7 @@ void addTrail(const ProjectileItem& projectile, const Camera& camera, std::vecto
     for (std::size_t i = trail.size(); i-- > 0;) {
         const glm::vec3 to = trail[i];
         const glm::vec3 along = to - from;
-        const glm::vec3 across = glm::cross(along, eye - to);
+        const glm::vec3 across = glm::cross(along, camera.isOrthographic() ? -camera.forward() : eye - to);
         const float length = glm::length(across);
         if (glm::dot(along, along) < kStill * kStill * projectile.sphere.radius * projectile.sphere.radius ||
             !(length > 0.0f)) {

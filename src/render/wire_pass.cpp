@@ -35,6 +35,7 @@ Status fillDense(const FrameContext& context, DeformationPipeline& pipeline) {
         }
         if (program == nullptr) {
             gl::Defines defines = targetDefines(context.frame, pipeline);
+            addSight(defines, context.frame);
             if (context.frame.options.normals == NormalMode::Paper) {
                 defines.emplace_back("HITSCOPE_PAPER_NORMALS", "1");
             }
@@ -46,6 +47,7 @@ Status fillDense(const FrameContext& context, DeformationPipeline& pipeline) {
             program->use();
             program->set("u_viewProjection", context.viewProjection);
             program->set("u_eye", context.eye);
+            setSight(*program, context.frame);
             setDrawnPlace(*program, context.frame);
         }
         pipeline.prepareDraw(*program, item.target);

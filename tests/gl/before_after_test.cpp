@@ -32,20 +32,26 @@ private Q_SLOTS:
     void wipeIsTheOriginalLeftAndTheDeformedRight_data() {
         QTest::addColumn<int>("kind");
         QTest::addColumn<int>("wireframe");
+        QTest::addColumn<bool>("shadows");
         for (const PipelineKind kind : {PipelineKind::TransformFeedback, PipelineKind::UniformArray}) {
             for (const WireframeMode mode : {WireframeMode::Off, WireframeMode::Over, WireframeMode::Only}) {
                 QTest::addRow("%s, %d", std::string(pipelineTraits(kind).key).c_str(), static_cast<int>(mode))
-                    << static_cast<int>(kind) << static_cast<int>(mode);
+                    << static_cast<int>(kind) << static_cast<int>(mode) << false;
             }
         }
+        QTest::addRow("shadows") << static_cast<int>(PipelineKind::TransformFeedback)
+                                 << static_cast<int>(WireframeMode::Off) << true;
     }
     void wipeIsTheOriginalLeftAndTheDeformedRight() {
         QFETCH(int, kind);
         QFETCH(int, wireframe);
+        QFETCH(bool, shadows);
         Session session;
         open(session, makeHighPolySphere(), static_cast<PipelineKind>(kind));
         m_view.options.wireframe = static_cast<WireframeMode>(wireframe);
+        m_view.options.shadows = shadows;
         const QImage before = picture();
+        bulge(session);
         dent(session);
         const QImage after = picture();
         QVERIFY(test::differing(before, after, 4) > 100);
@@ -119,7 +125,66 @@ private Q_SLOTS:
         QVERIFY2(different < moved / 10, qPrintable(QStringLiteral("%1 of %2").arg(different).arg(moved)));
     }
 
+    /// What is exaggerated reaches far beyond the original, around which shadow maps are laid.
+    void exaggeratedBulgesCastTheirShadows() {
+        constexpr float kFactor = 4.0f;
+        Session session;
+        open(session, makeUvSphere(64, 32, 2.5f), PipelineKind::TransformFeedback);
+        Hit hit;
+        hit.target = session.targets()[0]->id;
+        hit.point = {2.5f, 0.0f, 0.0f};
+        hit.direction = {1.0f, 0.0f, 0.0f};
+        hit.constants = {0.8f, 5.0f, 1.0f};
+        QVERIFY(session.hits().add(hit).ok());
+        m_view.camera.setPivot({1.0f, 0.0f, 0.0f}, 0.3f, 0.6f, 20.0f);
+        m_view.options.beforeAfter.exaggeration = kFactor;
+        const QImage exaggerated = shaded();
+        MeshData mesh = session.targets()[0]->deformed.original();
+        for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
+            mesh.positions[v] += kFactor * session.targets()[0]->deformed.displacement(v);
+        }
+        const DisplayOptions options = m_view.options;
+        const Camera camera = m_view.camera;
+        ScenePlan plan;
+        plan.targets.push_back(planMesh(mesh));
+        plan.targets.front().transform = session.targets()[0]->transform;
+        Session moved;
+        open(moved, std::move(plan), PipelineKind::TransformFeedback);
+        m_view.camera = camera;
+        m_view.options = options;
+        m_view.options.beforeAfter.exaggeration = 1.0f;
+        const QImage whole = shaded();
+        int inShadow = 0;
+        int missing = 0;
+        for (int y = 0; y < kHeight; ++y) {
+            for (int x = 0; x < kWidth; ++x) {
+                const bool isShaded = whole.pixelColor(x, y).red() > 0;
+                inShadow += isShaded ? 1 : 0;
+                missing += isShaded && exaggerated.pixelColor(x, y).red() == 0 ? 1 : 0;
+            }
+        }
+        QVERIFY2(inShadow > 300, qPrintable(QString::number(inShadow)));
+        QVERIFY2(missing < inShadow / 20, qPrintable(QStringLiteral("%1 of %2").arg(missing).arg(inShadow)));
+    }
+
 private:
+    /// White where shadows fall.
+    QImage shaded() {
+        constexpr int kClearly = 12;  // levels
+        m_view.options.shadows = false;
+        const QImage lit = picture();
+        m_view.options.shadows = true;
+        const QImage shadowed = picture();
+        QImage result(kWidth, kHeight, QImage::Format_RGB32);
+        for (int y = 0; y < kHeight; ++y) {
+            for (int x = 0; x < kWidth; ++x) {
+                const bool isDarker = qGreen(lit.pixel(x, y)) - qGreen(shadowed.pixel(x, y)) > kClearly;
+                result.setPixel(x, y, isDarker ? qRgb(255, 255, 255) : qRgb(0, 0, 0));
+            }
+        }
+        return result;
+    }
+
     void open(Session& session, const MeshData& mesh, PipelineKind kind) {
         ScenePlan plan;
         plan.targets.push_back(planMesh(mesh));
@@ -137,6 +202,16 @@ private:
         m_view.width = kWidth;
         m_view.height = kHeight;
         m_view.camera.frame(session.targets().bounds(), static_cast<float>(kWidth) / kHeight);
+    }
+
+    /// A spike towards the light, which casts a shadow that the original does not.
+    void bulge(Session& session) {
+        Hit hit;
+        hit.target = session.targets()[0]->id;
+        hit.direction = -glm::normalize(session.settings().lights().directional.direction);
+        hit.point = 2.5f * hit.direction;
+        hit.constants = {1.0f, 5.0f, 3.0f};
+        QVERIFY(session.hits().add(hit).ok());
     }
 
     void dent(Session& session) {

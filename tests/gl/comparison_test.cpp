@@ -91,6 +91,12 @@ private Q_SLOTS:
         DisplayOptions options;
         QTest::newRow("plain") << options << false;
         QTest::newRow("vertices selected") << options << true;
+        DisplayOptions bare;
+        bare.wireframe = WireframeMode::Only;
+        QTest::newRow("wireframe only") << bare << false;
+        bare.wireframe = WireframeMode::Off;
+        bare.transparent = true;
+        QTest::newRow("transparent") << bare << false;
         options.change.on = true;
         options.change.quantity = ChangeQuantity::EdgeStretch;
         QTest::newRow("edge stretch") << options << false;

@@ -37,7 +37,7 @@ float left(const Attenuation& a, float d) {
 }
 
 glm::vec3 light(const Lights& lights, const glm::vec3& p, const glm::vec3& n, const Camera& camera) {
-    const glm::vec3 toEye = glm::normalize(camera.eye() - p);
+    const glm::vec3 toEye = camera.isOrthographic() ? -camera.forward() : glm::normalize(camera.eye() - p);
     glm::vec3 sum(0.0f);
     if (lights.directional.on) {
         const LightTerms& terms = lights.directional.terms;
@@ -146,6 +146,9 @@ private Q_SLOTS:
     void pixelsFollowTheEquations();
     void floorFollowsTheEquations_data();
     void floorFollowsTheEquations();
+    void aPlaneIsOfOneColourInParallelView_data();
+    void aPlaneIsOfOneColourInParallelView();
+    void facesBehindTheEyeFaceIt();
 
 private:
     GlFixture m_gl;
@@ -154,18 +157,22 @@ private:
 
 void LightsTest::pixelsFollowTheEquations_data() {
     QTest::addColumn<Lights>("lights");
-    QTest::newRow("directional") << directional();
-    QTest::newRow("a point light") << points(2, 1);
-    QTest::newRow("two point lights") << points(1, 2);
-    QTest::newRow("four point lights") << points(0, 4);
-    QTest::newRow("spotlight at the eye") << spot(true);
-    QTest::newRow("spotlight at its place") << spot(false);
-    QTest::newRow("all") << all();
-    QTest::newRow("none") << none();
+    QTest::addColumn<bool>("orthographic");
+    QTest::newRow("directional") << directional() << false;
+    QTest::newRow("a point light") << points(2, 1) << false;
+    QTest::newRow("two point lights") << points(1, 2) << false;
+    QTest::newRow("four point lights") << points(0, 4) << false;
+    QTest::newRow("spotlight at the eye") << spot(true) << false;
+    QTest::newRow("spotlight at its place") << spot(false) << false;
+    QTest::newRow("all") << all() << false;
+    QTest::newRow("none") << none() << false;
+    QTest::newRow("directional, orthographic") << directional() << true;
+    QTest::newRow("all, orthographic") << all() << true;
 }
 
 void LightsTest::pixelsFollowTheEquations() {
     QFETCH(Lights, lights);
+    QFETCH(bool, orthographic);
     // The front face of a cube, seen straight on.
     MeshData cube = makeCube(1, 1.0f);
     cube.materials.resize(1);
@@ -177,7 +184,8 @@ void LightsTest::pixelsFollowTheEquations() {
     scene.add(*m_renderer, cube, glm::vec3(0));
     const auto pipeline = scene.pipeline(PipelineKind::TransformFeedback, {});
     Frame frame = frameOf(scene, kWidth, kHeight);
-    frame.camera.setPivot(glm::vec3(0), 0.0f, 0.0f, 5.0f);
+    frame.camera.setPivot(glm::vec3(0), 0.0f, 0.0f, orthographic ? 4.0f : 5.0f);
+    frame.camera.setProjection(orthographic ? Projection::Orthographic : Projection::Perspective);
     frame.lights = lights;
     frame.options.floor = false;
     const QImage image = picture(*m_renderer, frame, *pipeline, 1);
@@ -203,6 +211,66 @@ void LightsTest::pixelsFollowTheEquations() {
     QVERIFY(brightest > 60 || lights.directional.on + lights.points[2].on + lights.spot.on == 0);
 }
 
+/// Lines of sight are the same everywhere, and so is all that depends on them.
+void LightsTest::aPlaneIsOfOneColourInParallelView_data() {
+    QTest::addColumn<DisplayOptions>("options");
+    DisplayOptions options;
+    options.look = SurfaceLook::Matcap;
+    QTest::newRow("matcap") << options;
+    options = {};
+    options.environment = true;
+    QTest::newRow("environment") << options;
+    options.flat = true;
+    QTest::newRow("environment, flat") << options;
+    options = {};
+    options.change.on = true;
+    QTest::newRow("change") << options;
+}
+
+void LightsTest::aPlaneIsOfOneColourInParallelView() {
+    QFETCH(DisplayOptions, options);
+    TestScene scene;
+    scene.add(*m_renderer, makeCube(1, 1.0f), glm::vec3(0));
+    const auto pipeline = scene.pipeline(PipelineKind::TransformFeedback, {});
+    Frame frame = frameOf(scene, kWidth, kHeight);
+    // The eye is at the very face.
+    frame.camera.setPivot(glm::vec3(0), 0.0f, 0.0f, 1.05f);
+    frame.camera.setProjection(Projection::Orthographic);
+    frame.lights = directional();
+    frame.options = options;
+    frame.options.floor = false;
+    if (options.change.on) {
+        frame.change = ShownChange{};
+    }
+    const QImage image = picture(*m_renderer, frame, *pipeline, 1);
+    const QRgb middle = image.pixel(kWidth / 2, kHeight / 2);
+    QVERIFY(levels(middle, qRgb(0, 0, 0)) > 10);
+    for (int y = 10; y < kHeight - 10; y += 5) {
+        for (int x = 30; x < kWidth - 30; x += 5) {
+            QVERIFY2(levels(image.pixel(x, y), middle) <= 1,
+                     qPrintable(QStringLiteral("at %1, %2: %3").arg(x).arg(y).arg(image.pixel(x, y), 0, 16)));
+        }
+    }
+}
+
+/// Surfaces beside and behind the eye are seen as well.
+void LightsTest::facesBehindTheEyeFaceIt() {
+    TestScene scene;
+    scene.add(*m_renderer, makeUvSphere(64, 32, 2.0f), glm::vec3(0));
+    const auto pipeline = scene.pipeline(PipelineKind::TransformFeedback, {});
+    Frame frame = frameOf(scene, kWidth, kHeight);
+    frame.camera.setPivot(glm::vec3(0), 0.3f, 0.2f, 1.0f);
+    frame.camera.setProjection(Projection::Orthographic);
+    frame.lights = directional();
+    frame.options.floor = false;
+    const QImage smooth = picture(*m_renderer, frame, *pipeline, 1);
+    frame.options.flat = true;
+    const QImage flat = picture(*m_renderer, frame, *pipeline, 1);
+    QVERIFY(levels(smooth.pixel(kWidth / 2, kHeight / 2), qRgb(0, 0, 0)) > 60);
+    const int different = test::differing(flat, smooth, 40);
+    QVERIFY2(different < kWidth * kHeight / 100, qPrintable(QString::number(different)));
+}
+
 void LightsTest::floorFollowsTheEquations_data() {
     pixelsFollowTheEquations_data();
 }
@@ -210,6 +278,10 @@ void LightsTest::floorFollowsTheEquations_data() {
 void LightsTest::floorFollowsTheEquations() {
     // The floor has a light path of its own: with lights of two strengths its brightness keeps their ratio.
     QFETCH(Lights, lights);
+    QFETCH(bool, orthographic);
+    if (orthographic) {
+        return;  // matte: no line of sight counts
+    }
     TestScene scene;
     addSphere(scene, *m_renderer);
     const auto pipeline = scene.pipeline(PipelineKind::TransformFeedback, {});

@@ -153,24 +153,30 @@ bool addAll(SeenArea& seen, std::span<const Bounds> boxes, const DrawItem& item)
                        [&](const Bounds& box) { return seen.add(inWorld(box, item)); });
 }
 
-/// With all that it may shade. lightRadius: of the directional light, a metre away.
+/// The directional light: its radius, a metre away, and shadowTexel().
+struct Caster {
+    float lightRadius = 0.0f;
+    float texel = 0.0f;
+};
+
+/// With all that it may shade.
 bool addShadow(SeenArea& seen, std::span<const Bounds> casters, const DrawItem& item, const Frame& frame,
-               float lightRadius) {
+               const Caster& light) {
     if (!ShadowMap::isWanted(frame) || casters.empty()) {
         return true;
     }
-    const float texel = shadowTexel(frame);
-    const Bounds caster = grown(inWorld(around(casters), item), kShadowTexels * texel);
-    const std::optional<Bounds> shadow = floorShadowOf(caster, frame, lightRadius, texel);
+    const Bounds caster = grown(inWorld(around(casters), item), kShadowTexels * light.texel);
+    const std::optional<Bounds> shadow = floorShadowOf(caster, frame, light.lightRadius, light.texel);
     return shadow && seen.add(caster) && seen.add(*shadow);
 }
 
 /// Where it keeps light away from what is near, and where its soft shadows fall.
-bool addRefined(SeenArea& seen, const MovedBoxes& moved, const DrawItem& item, const Frame& frame) {
+bool addRefined(SeenArea& seen, const MovedBoxes& moved, const DrawItem& item, const Frame& frame,
+                float texel) {
     const float reach = occlusionReach(frame);
     return std::all_of(moved.shape.begin(), moved.shape.end(),
                        [&](const Bounds& box) { return seen.add(grown(inWorld(box, item), reach)); }) &&
-           addAll(seen, moved.looks, item) && addShadow(seen, moved.shape, item, frame, kLightSize);
+           addAll(seen, moved.looks, item) && addShadow(seen, moved.shape, item, frame, {kLightSize, texel});
 }
 
 }  // namespace
@@ -202,14 +208,15 @@ std::optional<MovedArea> movedArea(const FrameContext& context, const Deformatio
     SeenArea seen(context.viewProjection);
     SeenArea refined(context.viewProjection);
     bool isRefinedKnown = true;
+    const float texel = ShadowMap::isWanted(frame) ? shadowTexel(frame, pipeline) : 0.0f;
     for (std::size_t i = 0; i < moments.size(); ++i) {
         const DrawItem& item = frame.targets[i];
         const std::optional<MovedBoxes> moved = movedBoxes(item, frame, pipeline, moments[i]);
         if (!moved || !addAll(seen, moved->shape, item) || !addAll(seen, moved->looks, item) ||
-            !addShadow(seen, moved->shape, item, frame, 0.0f)) {
+            !addShadow(seen, moved->shape, item, frame, {0.0f, texel})) {
             return std::nullopt;
         }
-        isRefinedKnown = isRefinedKnown && addRefined(refined, *moved, item, frame);
+        isRefinedKnown = isRefinedKnown && addRefined(refined, *moved, item, frame, texel);
     }
     const glm::ivec2 picture(frame.width, frame.height);
     MovedArea area{seen.in(picture), std::nullopt};

@@ -27,11 +27,7 @@ gl::Defines occlusionDefines(const FrameContext& context) {
     if (context.occlusion == nullptr) {
         return {};
     }
-    gl::Defines defines{{"HITSCOPE_OCCLUSION", "1"}};
-    if (context.frame.camera.isOrthographic()) {
-        defines.emplace_back("HITSCOPE_ORTHOGRAPHIC", "1");
-    }
-    return defines;
+    return {{"HITSCOPE_OCCLUSION", "1"}};
 }
 
 void setOcclusion(const gl::Program& program, const FrameContext& context, const glm::vec2& offset) {

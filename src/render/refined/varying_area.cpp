@@ -43,7 +43,7 @@ bool seePart(SeenArea& seen, const Bounds& box, const FrameContext& context, flo
 bool seeTargets(SeenArea& seen, const FrameContext& context, const DeformationPipeline& pipeline,
                 float lightRadius) {
     const Frame& frame = context.frame;
-    const float texel = shadowTexel(frame);
+    const float texel = shadowTexel(frame, pipeline);
     for (const DrawItem& item : frame.targets) {
         const std::optional<ClusterBoxes> boxes = clusterBoxesOf(item, frame, pipeline);
         if (!boxes) {
@@ -72,12 +72,13 @@ Bounds inWorld(const Bounds& box, const DrawItem& item) {
     return result;
 }
 
-float shadowTexel(const Frame& frame) {
+float shadowTexel(const Frame& frame, const DeformationPipeline& pipeline) {
     Bounds all;
     for (const DrawItem& item : frame.targets) {
         all.add(worldBounds(item));
     }
-    return all.diagonal() / static_cast<float>(ShadowMap::kSoftwareSize);
+    const float reach = 1.0f + 2.0f * ShadowMap::marginOf(frame, pipeline);
+    return reach * all.diagonal() / static_cast<float>(ShadowMap::kSoftwareSize);
 }
 
 std::optional<Bounds> floorShadowOf(const Bounds& box, const Frame& frame, float lightRadius, float texel) {

@@ -28,7 +28,7 @@ void limitDrawing(const DrawnPixels& pixels);
 /// The box from the frame of a target in the world.
 [[nodiscard]] Bounds inWorld(const Bounds& box, const DrawItem& item);
 /// Metres that a texel of a software renderer's shadow map takes, or more.
-[[nodiscard]] float shadowTexel(const Frame& frame);
+[[nodiscard]] float shadowTexel(const Frame& frame, const DeformationPipeline& pipeline);
 /// The box, larger on all sides; metres.
 [[nodiscard]] Bounds grown(const Bounds& box, float by);
 /// Where on the floor the shadow of what is in a box falls, world: between the two, all that it may shade.
