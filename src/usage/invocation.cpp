@@ -144,11 +144,13 @@ bool Invocation::isSet(const char* name) const {
 }
 
 QString Invocation::text(const char* name) const {
-    return m_parser.value(optionOf(name).name);
+    const UsageOption& option = optionOf(name);
+    return option.takes == UsageOption::Takes::Nothing ? QString() : m_parser.value(option.name);  // Qt warns
 }
 
 QStringList Invocation::texts(const char* name) const {
-    return m_parser.values(optionOf(name).name);
+    const UsageOption& option = optionOf(name);
+    return option.takes == UsageOption::Takes::Nothing ? QStringList() : m_parser.values(option.name);
 }
 
 int Invocation::wholeNumber(const char* name, int least, int most) {

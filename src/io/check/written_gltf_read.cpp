@@ -62,6 +62,8 @@ private:
         return value;  // little endian
     }
     [[nodiscard]] std::string jsonOfGlb();
+    template <class Callbacks>
+    static void setSizes(Callbacks& callbacks);
     static bool read(QFile& file, qint64 size, Bytes& bytes, const std::function<void(double)>& told);
 
     QFile m_file;
@@ -133,7 +135,33 @@ tinygltf::FsCallbacks GltfFile::callbacks() {
         *error += isRead ? std::string() : file.errorString().toStdString();
         return isRead;
     };
+    // tinygltf 2.9 takes all callbacks or none.
+    callbacks.WriteWholeFile = [](std::string*, const std::string&, const Bytes&, void*) { return false; };
+    setSizes(callbacks);
     return callbacks;
+}
+
+/// tinygltf 2.6 does not ask for sizes.
+template <class Callbacks>
+void GltfFile::setSizes(Callbacks& callbacks) {
+    if constexpr (requires { callbacks.GetFileSizeInBytes; }) {
+        callbacks.GetFileSizeInBytes = [](std::size_t* size, std::string*, const std::string& name,
+                                          void* self) {
+            const auto& glb = *static_cast<GltfFile*>(self);
+            const qint64 bytes =
+                glb.isBuffer(name) ? glb.m_bufferSize : QFileInfo(QFile::decodeName(name.c_str())).size();
+            *size = static_cast<std::size_t>(bytes);
+            return true;
+        };
+    }
+}
+
+/// tinygltf 2.9 refuses files of more than 2 GB where it is not told otherwise.
+template <class Loader>
+void allowLargeFiles(Loader& loader) {
+    if constexpr (requires { loader.SetMaxExternalFileSize(std::size_t{}); }) {
+        loader.SetMaxExternalFileSize(std::numeric_limits<std::size_t>::max());
+    }
 }
 
 /// Numbers of a glTF file's accessors. It is our own file, but the disk may have made anything of it.
@@ -300,6 +328,7 @@ std::vector<ReadPrimitive> readPrimitives(const QString& path, const std::functi
     GltfFile file(path, told);
     tinygltf::TinyGLTF loader;
     loader.SetFsCallbacks(file.callbacks());
+    allowLargeFiles(loader);
     // Pictures are not looked at.
     loader.SetImageLoader([](tinygltf::Image*, int, std::string*, std::string*, int, int,
                              const unsigned char*, int, void*) { return true; },
