@@ -94,8 +94,10 @@ void MeshMeasuring::setTargets(std::vector<TargetId> targets, bool alone) {
     }
     m_targets = std::move(targets);
     m_alone = alone;
-    m_measurement.reset();
     schedule();
+    if (std::exchange(m_measurement, nullptr)) {
+        Q_EMIT measured();  // nothing yet
+    }
 }
 
 void MeshMeasuring::setActive(bool active) {

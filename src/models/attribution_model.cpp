@@ -40,7 +40,8 @@ AttributionModel::AttributionModel(Session& session, QObject* parent)
     connect(&session.hits(), &SessionHits::reset, this, restart);
     connect(&session.hits(), &SessionHits::shownChanged, this, restart);
     connect(&session.readBack(), &ReadBack::capacityChanged, this, [this, restart] {
-        if (m_session.readBack().droppedHits() > 0 || !m_session.readBack().capacity().capacity) {
+        if (m_session.readBack().capacity().dropped != m_dropped) {
+            m_dropped = m_session.readBack().capacity().dropped;
             restart();
         }
     });
@@ -189,7 +190,7 @@ QVariant AttributionModel::headerData(int section, Qt::Orientation orientation, 
     const QString explanations[ColumnCount] = {
         tr("The hit's number in the hit history"),
         tr("r: from the hit's point to where the vertex was just before"),
-        tr("m = power / r, at most max magnitude (the paper's equation 4)"),
+        tr("m: how far the hit moved it. In the paper's form, power / r, at most max magnitude (equation 4)"),
         tr("Whether max magnitude applied"),
         tr("This hit's own part: direction times magnitude"),
         tr("Where the vertex was after this hit")};

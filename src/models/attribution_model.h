@@ -4,6 +4,7 @@
 #include <QAbstractTableModel>
 #include <QTimer>
 #include <optional>
+#include <vector>
 
 #include "deform/attribution.h"
 #include "session/session.h"
@@ -68,7 +69,8 @@ private:
     Session& m_session;
     std::optional<VertexRef> m_vertex;
     Attribution m_attribution;
-    std::size_t m_taken = 0;  ///< hits of the history
+    std::size_t m_taken = 0;             ///< hits of the history
+    std::vector<std::size_t> m_dropped;  ///< by the pipeline, at the last restart for it
     QTimer m_summaryTimer;
     QTimer m_restartTimer;  ///< many edits in a row are one change
 };

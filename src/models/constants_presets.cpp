@@ -111,13 +111,13 @@ Status ConstantsPresets::save(const QString& name, const DeformationConstants& c
     return Done{};
 }
 
-void ConstantsPresets::remove(std::size_t index) {
-    if (index < m_presets.size() && !m_presets[index].isOurs) {
-        m_presets.erase(m_presets.begin() + static_cast<std::ptrdiff_t>(index));
-    }
+void ConstantsPresets::remove(const QString& name) {
+    std::erase_if(m_presets,
+                  [&name](const ConstantsPreset& preset) { return !preset.isOurs && preset.name == name; });
 }
 
 void ConstantsPresets::load(QSettings& settings) {
+    std::erase_if(m_presets, [](const ConstantsPreset& preset) { return !preset.isOurs; });
     const int count = settings.beginReadArray(QStringLiteral("constantsPresets"));
     for (int i = 0; i < count; ++i) {
         settings.setArrayIndex(i);

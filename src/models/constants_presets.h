@@ -35,7 +35,7 @@ public:
     /// Under a new name, or in place of a saved one of that name. Refused for an empty name and one of ours.
     [[nodiscard]] Status save(const QString& name, const DeformationConstants& constants,
                               const DentForm& form);
-    void remove(std::size_t index);  ///< ours stay
+    void remove(const QString& name);  ///< ours stay
 
     /// What is not a preset within the ranges is passed over.
     void load(QSettings& settings);

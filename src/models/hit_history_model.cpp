@@ -56,7 +56,7 @@ constexpr Header kHeaders[HitHistoryModel::ColumnCount] = {
      QT_TRANSLATE_NOOP("hitscope::HitHistoryModel", "The hit's constant: vertices within it are moved")},
     {QT_TRANSLATE_NOOP("hitscope::HitHistoryModel", "Power (m²)"),
      QT_TRANSLATE_NOOP("hitscope::HitHistoryModel",
-                       "The hit's constant: a vertex moves by power / distance")},
+                       "The hit's constant: in the paper's form, a vertex moves by power / distance")},
     {QT_TRANSLATE_NOOP("hitscope::HitHistoryModel", "Max magnitude (m)"),
      QT_TRANSLATE_NOOP("hitscope::HitHistoryModel", "The hit's constant: no vertex moves farther")},
     {QT_TRANSLATE_NOOP("hitscope::HitHistoryModel", "World point (m)"),
@@ -91,8 +91,7 @@ HitHistoryModel::HitHistoryModel(Session& session, HitEffects* effects, QObject*
     connect(&session.hits(), &SessionHits::changed, this, &HitHistoryModel::refresh);
     connect(&session.hits(), &SessionHits::rearranged, this, &HitHistoryModel::rearrange);
     connect(&session, &Session::sceneReplaced, this, &HitHistoryModel::reset);
-    // Its name may have.
-    connect(&session.targets(), &SessionTargets::changed, this, [this] { refresh(0, m_rows - 1); });
+    connect(&session.targets(), &SessionTargets::changed, this, &HitHistoryModel::followTarget);
     connect(&session.readBack(), &ReadBack::capacityChanged, this, [this] { refresh(0, m_rows - 1); });
     connect(&session.hits(), &SessionHits::shownChanged, this, [this] { refresh(0, m_rows - 1); });
     connect(&session.frameCosts(), &FrameCosts::hitCostsChanged, this,
@@ -245,6 +244,17 @@ void HitHistoryModel::endAppend() {
     endInsertRows();
 }
 
+/// It was moved, or has another name.
+void HitHistoryModel::followTarget(TargetId id) {
+    const Target* target = m_session.targets().find(id);
+    QString& known = m_names[id];
+    if (target == nullptr || target->name != known) {
+        known = target != nullptr ? target->name : QString();
+        refreshColumns(0, m_rows - 1, TargetColumn, TargetColumn);
+    }
+    refreshColumns(0, m_rows - 1, WorldPointColumn, WorldPointColumn);
+}
+
 void HitHistoryModel::refresh(int first, int last) {
     refreshColumns(first, last, 0, ColumnCount - 1);
 }
@@ -258,7 +268,8 @@ void HitHistoryModel::refreshColumns(int firstRow, int lastRow, int firstColumn,
 }
 
 void HitHistoryModel::rearrange(const HitRows& rows) {
-    Q_EMIT layoutAboutToBeChanged();
+    // The hint spares a selection one index a cell, which would take it minutes to put together again.
+    Q_EMIT layoutAboutToBeChanged({}, VerticalSortHint);
     m_rows = static_cast<int>(rows.size());
     const QModelIndexList before = persistentIndexList();
     QModelIndexList now;
@@ -268,7 +279,7 @@ void HitHistoryModel::rearrange(const HitRows& rows) {
         now.append(row ? index(static_cast<int>(*row), old.column()) : QModelIndex());
     }
     changePersistentIndexList(before, now);
-    Q_EMIT layoutChanged();
+    Q_EMIT layoutChanged({}, VerticalSortHint);
 }
 
 void HitHistoryModel::reset() {

@@ -3,6 +3,7 @@
 
 #include <QAbstractTableModel>
 #include <span>
+#include <unordered_map>
 
 #include "analysis/hit_effects.h"
 
@@ -92,6 +93,7 @@ private:
     /// Of a column that holds one; nothing: not known.
     [[nodiscard]] std::optional<glm::vec3> vector(const Hit& hit, int column) const;
     void refreshColumns(int firstRow, int lastRow, int firstColumn, int lastColumn);
+    void followTarget(TargetId id);
     [[nodiscard]] QString targetName(const Hit& hit) const;
 
     Session& m_session;
@@ -100,6 +102,8 @@ private:
     /// that in between.
     int m_rows = 0;
     int m_rowsAfterAppend = 0;
+    std::unordered_map<TargetId, QString>
+        m_names;  ///< of the targets that have changed, as the views know them
 };
 
 }  // namespace hitscope

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "models/hit_list.h"
 #include "analysis/beside.h"
-#include "models/group_name.h"
 
 #include <algorithm>
 #include <limits>
 #include <map>
 #include <memory>
-#include <set>
+#include <unordered_map>
 #include <utility>
 
 namespace hitscope {
@@ -146,8 +145,8 @@ void HitList::appended(int first, int last) {
         }
         return;
     }
-    const std::vector<std::uint32_t> more =
-        accepted(static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(last) + 1);
+    const std::vector<std::uint32_t> more = acceptedHits(
+        m_session, m_filter, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(last) + 1);
     if (more.empty()) {
         return;
     }
@@ -176,14 +175,15 @@ void HitList::changed(const QModelIndex& topLeft, const QModelIndex& bottomRight
             Q_EMIT dataChanged(first, createIndex(last, bottomRight.column()), roles);
         }
     }
+    const bool isFiltered = !m_filter.isAll() && isFilteredBy(topLeft.column(), bottomRight.column());
     const bool isSorted = m_column >= topLeft.column() && m_column <= bottomRight.column() && !isInOrder();
-    if ((isSorted || !m_filter.isAll()) && !m_delay.isActive()) {
+    if ((isSorted || isFiltered) && !m_delay.isActive()) {
         m_delay.start();
     }
 }
 
 void HitList::beginRearrange() {
-    Q_EMIT layoutAboutToBeChanged();
+    Q_EMIT layoutAboutToBeChanged({}, VerticalSortHint);  // as in HitHistoryModel::rearrange()
     m_keptHere = persistentIndexList();
     m_keptThere.clear();
     for (const QModelIndex& kept : m_keptHere) {
@@ -201,53 +201,17 @@ void HitList::endRearrange() {
     changePersistentIndexList(m_keptHere, now);
     m_keptHere.clear();
     m_keptThere.clear();
-    Q_EMIT layoutChanged();
+    Q_EMIT layoutChanged({}, VerticalSortHint);
     Q_EMIT listed();
 }
 
-/// The hits in [first, end) that the filter lets through, ascending.
-std::vector<std::uint32_t> HitList::accepted(std::uint32_t first, std::uint32_t end) const {
-    const std::span<const Hit> hits = m_session.hits().history().hits();
-    // What the text is in, once for each name and not for each hit.
-    std::set<TargetId> targets;
-    for (const std::unique_ptr<Target>& target : m_session.targets()) {
-        if (target->name.contains(m_filter.text, Qt::CaseInsensitive)) {
-            targets.insert(target->id);
-        }
-    }
-    const auto isIn = [this](std::string_view name) {
-        return QString::fromUtf8(name).contains(m_filter.text, Qt::CaseInsensitive);
-    };
-    std::set<std::uint8_t> pipelines;
-    for (const PipelineTraits& traits : allPipelines()) {
-        if (isIn(traits.name)) {
-            pipelines.insert(static_cast<std::uint8_t>(traits.kind));
-        }
-    }
-    std::vector<std::uint32_t> rows;
-    for (std::uint32_t row = first; row < std::min<std::size_t>(end, hits.size()); ++row) {
-        const Hit& hit = hits[row];
-        if ((m_filter.isEnabled && !hit.enabled) || (m_filter.target && hit.target != m_filter.target)) {
-            continue;
-        }
-        if (m_filter.text.isEmpty() || targets.contains(hit.target) || pipelines.contains(hit.pipeline) ||
-            QString::number(row + 1).contains(m_filter.text) ||
-            (hit.group && groupName(hit.group).contains(m_filter.text, Qt::CaseInsensitive))) {
-            rows.push_back(row);
-        }
-    }
-    return rows;
-}
-
 std::vector<HitList::Key> HitList::keysOf(const std::vector<std::uint32_t>& rows) const {
-    std::map<TargetId, QString> names;
-    for (const std::unique_ptr<Target>& target : m_session.targets()) {
-        names[target->id] = target->name;
-    }
+    // Once for all hits: finding one takes a look at each.
+    std::unordered_map<TargetId, const Target*> targets;
     std::vector<std::pair<QString, TargetId>> byName;
-    byName.reserve(names.size());
-    for (const auto& [id, name] : names) {
-        byName.emplace_back(name, id);
+    for (const std::unique_ptr<Target>& target : m_session.targets()) {
+        targets[target->id] = target.get();
+        byName.emplace_back(target->name, target->id);
     }
     std::sort(byName.begin(), byName.end());
     std::map<TargetId, double> ranks;
@@ -259,8 +223,14 @@ std::vector<HitList::Key> HitList::keysOf(const std::vector<std::uint32_t>& rows
     for (const std::uint32_t row : rows) {
         Key& key = keys.emplace_back();
         key.row = row;
+        const Hit& hit = m_session.hits().history().hits()[row];
         if (m_column == HitHistoryModel::TargetColumn) {
-            key.parts[0] = ranks[m_session.hits().history().hits()[row].target];
+            key.parts[0] = ranks[hit.target];
+        } else if (m_column == HitHistoryModel::WorldPointColumn) {
+            const auto target = targets.find(hit.target);
+            const glm::vec3 point =
+                target != targets.end() ? target->second->transform.toWorld(hit.point) : glm::vec3(0.0f);
+            std::copy_n(&point.x, 3, key.parts);
         } else {
             m_model.sortParts(row, m_column, key.parts);
         }
@@ -290,7 +260,7 @@ void HitList::list() {
         show({});
         return;
     }
-    std::vector<std::uint32_t> rows = accepted(0, all);
+    std::vector<std::uint32_t> rows = acceptedHits(m_session, m_filter, 0, all);
     if (isInOrder() || rows.size() <= kMostAtOnce) {
         if (!isInOrder()) {
             std::vector<Key> keys = keysOf(rows);
@@ -335,7 +305,8 @@ void HitList::listAtOnce() {
         place({});
         return;
     }
-    std::vector<std::uint32_t> rows = accepted(0, static_cast<std::uint32_t>(m_model.rowCount()));
+    std::vector<std::uint32_t> rows =
+        acceptedHits(m_session, m_filter, 0, static_cast<std::uint32_t>(m_model.rowCount()));
     if (!isInOrder()) {
         std::vector<Key> keys = keysOf(rows);
         sortKeys(keys, m_order);
@@ -348,7 +319,7 @@ void HitList::show(std::vector<std::uint32_t> rows) {
     if (m_isListed && !isPlain() && rows == m_rows) {
         return;
     }
-    Q_EMIT layoutAboutToBeChanged();
+    Q_EMIT layoutAboutToBeChanged({}, VerticalSortHint);  // as in HitHistoryModel::rearrange()
     const QModelIndexList before = persistentIndexList();
     std::vector<QModelIndex> there;
     there.reserve(static_cast<std::size_t>(before.size()));
@@ -362,7 +333,7 @@ void HitList::show(std::vector<std::uint32_t> rows) {
         now.append(mapFromSource(kept));
     }
     changePersistentIndexList(before, now);
-    Q_EMIT layoutChanged();
+    Q_EMIT layoutChanged({}, VerticalSortHint);
     Q_EMIT listed();
 }
 

@@ -6,19 +6,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "models/hit_filter.h"
 #include "models/hit_history_model.h"
 
 namespace hitscope {
-
-/// Which hits a person wants to see.
-struct HitFilter {
-    QString text = {};       ///< part of the hit's number or of the name of its target, pipeline or group
-    TargetId target = {};    ///< none: on any
-    bool isEnabled = false;  ///< enabled ones only
-
-    bool operator==(const HitFilter&) const = default;
-    [[nodiscard]] bool isAll() const { return *this == HitFilter(); }
-};
 
 /// The hit history filtered and sorted by a column, as one sees it: the history's own order stays what it is.
 /// Without a filter and in the history's order it costs nothing. What is sorted otherwise follows hits that
@@ -76,7 +67,6 @@ private:
     void listAgain();
     void listAtOnce();
     void takeSorted(const std::vector<Key>& keys, std::uint64_t number);
-    [[nodiscard]] std::vector<std::uint32_t> accepted(std::uint32_t first, std::uint32_t end) const;
     [[nodiscard]] std::vector<Key> keysOf(const std::vector<std::uint32_t>& rows) const;
     void show(std::vector<std::uint32_t> rows);
     void place(std::vector<std::uint32_t> rows);

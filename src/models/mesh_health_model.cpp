@@ -107,7 +107,7 @@ QString MeshHealthModel::toolTip(const HarmRow& row) const {
         case FaceHarm::Kind::Flipped:
             return tr("%1: its orientation is reversed.").arg(face);
         case FaceHarm::Kind::Degenerated:
-            return tr("%1: its area is zero.").arg(face);
+            return tr("%1: it has no area, or next to none for its length.").arg(face);
         case FaceHarm::Kind::Stretched:
             return tr("%1: one of its edges is %2 times as long as in the original.")
                 .arg(face, shownNumber(static_cast<double>(row.harm.stretch), 'f', 2));

@@ -58,14 +58,18 @@ QString countText(std::size_t count) {
 }
 
 QString quantityText(double value) {
+    return quantityText(shownLocale(), value);
+}
+
+QString quantityText(const QLocale& locale, double value) {
     if (value == 0.0 || !std::isfinite(value)) {
-        return shownNumber(value == 0.0 ? 0.0 : value, 'g', kSignificantDigits);  // not -0
+        return shownNumber(locale, value == 0.0 ? 0.0 : value, 'g', kSignificantDigits);  // not -0
     }
     const int magnitude = static_cast<int>(std::floor(std::log10(std::abs(value))));
     if (magnitude < kLeastMagnitude || magnitude > kMostMagnitude) {
-        return shownNumber(value, 'e', kExponentDecimals);
+        return shownNumber(locale, value, 'e', kExponentDecimals);
     }
-    return shownNumber(value, 'f', std::clamp(kSignificantDigits - 1 - magnitude, 0, kMostDecimals));
+    return shownNumber(locale, value, 'f', std::clamp(kSignificantDigits - 1 - magnitude, 0, kMostDecimals));
 }
 
 QString vectorText(const glm::vec3& vector) {

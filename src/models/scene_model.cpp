@@ -15,6 +15,7 @@ SceneModel::SceneModel(Session& session, QObject* parent) : QAbstractTableModel(
     connect(&session.targets(), &SessionTargets::changed, this, &SceneModel::refresh);
     connect(&session.hits(), &SessionHits::appended, this, &SceneModel::countNewHits);
     connect(&session.hits(), &SessionHits::rearranged, this, &SceneModel::recountHits);
+    connect(&session.hits(), &SessionHits::changed, this, &SceneModel::recountHits);  // also of their target
     reset();
 }
 
@@ -57,8 +58,14 @@ void SceneModel::refresh(TargetId target) {
 /// Costs the hits that are new, not those made before.
 void SceneModel::countNewHits() {
     const std::span<const Hit> hits = m_session.hits().history().hits();
+    TargetId target;
+    std::size_t* count = nullptr;  // of that one: neighbours are often on the same
     for (; m_counted < hits.size(); ++m_counted) {
-        ++m_hits[hits[m_counted].target];
+        if (count == nullptr || hits[m_counted].target != target) {
+            target = hits[m_counted].target;
+            count = &m_hits[target];
+        }
+        ++*count;
     }
     if (!m_rows.empty()) {
         Q_EMIT dataChanged(index(0, HitsColumn), index(rowCount() - 1, HitsColumn));

@@ -83,7 +83,8 @@ QString coordinateText(const SectionView::Axis& axis, const QString& word, doubl
     constexpr double kNone = 1.0e-7;
     const double size = std::abs(value);
     return name + u' ' +
-           (size < kSmall && size > kNone ? shownNumber(value, 'g', 3) : shownNumber(value + 0.0, 'f', 3));
+           (size < kSmall && size > kNone ? shownNumber(value, 'g', 3)
+                                          : shownNumber(size > kNone ? value : 0.0, 'f', 3));
 }
 
 void addCsv(CsvWriter& csv, const char* state, const TargetSection& section, const SectionView& view,

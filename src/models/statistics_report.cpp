@@ -6,6 +6,7 @@
 #include <array>
 
 #include "io/csv_writer.h"
+#include "session/shown_number.h"
 
 namespace hitscope {
 
@@ -23,9 +24,11 @@ Cells headings() {
 }
 
 Cells cellsOf(const StatisticsRow& row, const MeshMeasurement& measurement) {
-    return {propertyName(row), statisticsText(row, measurement, StatisticsSide::Original),
-            statisticsText(row, measurement, StatisticsSide::Deformed),
-            statisticsText(row, measurement, StatisticsSide::Change)};
+    const auto text = [&](StatisticsSide side) {
+        return statisticsText(row, measurement, side, copiedLocale());
+    };
+    return {propertyName(row), text(StatisticsSide::Original), text(StatisticsSide::Deformed),
+            text(StatisticsSide::Change)};
 }
 
 QString padded(const Cells& cells, const std::array<qsizetype, 4>& widths) {

@@ -248,26 +248,28 @@ Reason reasonFor(const Row& row, const SurfaceStatistics& topology) {
         return {QStringLiteral("–"), StatisticsRowTexts::tr("There are no faces.")};
     }
     if (!topology.isManifold()) {
-        return {StatisticsRowTexts::tr("n/a"),
-                (isGenus ? StatisticsRowTexts::tr(
-                               "Not defined: the surface is not manifold (%1 edges, %2 vertices).")
-                         : StatisticsRowTexts::tr(
-                               "Not watertight: the surface is not manifold (%1 edges, %2 vertices)."))
-                    .arg(countText(topology.nonManifoldEdges), countText(topology.nonManifoldVertices))};
+        return {
+            StatisticsRowTexts::tr("n/a"),
+            (isGenus ? StatisticsRowTexts::tr("Not defined: the surface is not manifold (%1, %2).")
+                     : StatisticsRowTexts::tr("Not watertight: the surface is not manifold (%1, %2)."))
+                .arg(StatisticsRowTexts::tr("%Ln {edge|edges}", nullptr, trCount(topology.nonManifoldEdges)),
+                     StatisticsRowTexts::tr("%Ln {vertex|vertices}", nullptr,
+                                            trCount(topology.nonManifoldVertices)))};
     }
     if (isGenus) {
         return {StatisticsRowTexts::tr("one-sided"),
                 StatisticsRowTexts::tr("Not defined: the surface is not orientable.")};
     }
     if (topology.boundaryEdges > 0) {
-        return {StatisticsRowTexts::tr("open"), StatisticsRowTexts::tr("Not watertight: %1 boundary edges.")
-                                                    .arg(countText(topology.boundaryEdges))};
+        return {StatisticsRowTexts::tr("open"),
+                StatisticsRowTexts::tr("Not watertight: %Ln boundary {edge|edges}.", nullptr,
+                                       trCount(topology.boundaryEdges))};
     }
     if (topology.opposedEdges > 0) {
         return {StatisticsRowTexts::tr("n/a"),
-                StatisticsRowTexts::tr("The orientation of the faces is inconsistent: %1 edges join faces "
-                                       "of opposite orientation.")
-                    .arg(countText(topology.opposedEdges))};
+                StatisticsRowTexts::tr("The orientation of the faces is inconsistent: %Ln {edge joins|edges "
+                                       "join} faces of opposite orientation.",
+                                       nullptr, trCount(topology.opposedEdges))};
     }
     return {QStringLiteral("–"), StatisticsRowTexts::tr("The volume is zero.")};
 }
@@ -279,7 +281,7 @@ bool mayBeMissing(const Row& row) {
 
 /// A change in fewer digits, as it is read against the numbers beside it: eight characters with its sign,
 /// which is what the column holds.
-QString changeText(double value) {
+QString changeText(const QLocale& locale, double value) {
     constexpr int kDigits = 3;
     constexpr int kDecimals = 5;
     constexpr int kLeast = -4;
@@ -288,23 +290,23 @@ QString changeText(double value) {
     const int magnitude =
         size > 0.0 && std::isfinite(size) ? static_cast<int>(std::floor(std::log10(size))) : 0;
     if (magnitude < kLeast || magnitude > kMost) {
-        return shownNumber(value, 'e', 1);
+        return shownNumber(locale, value, 'e', 1);
     }
-    return size > 0.0 ? shownNumber(value, 'f', std::clamp(kDigits - 1 - magnitude, 0, kDecimals))
+    return size > 0.0 ? shownNumber(locale, value, 'f', std::clamp(kDigits - 1 - magnitude, 0, kDecimals))
                       : QStringLiteral("0");
 }
 
-QString numberText(const Row& row, double value) {
+QString numberText(const QLocale& locale, const Row& row, double value) {
     switch (row.kind) {
         case Row::Kind::Count:
             return (value < 0.0 ? QStringLiteral("-") : QString()) +
-                   countText(static_cast<std::size_t>(std::abs(value)));
+                   locale.toString(static_cast<qulonglong>(std::abs(value)));
         case Row::Kind::Percent:
-            return shownNumber(value, 'f', 2);
+            return shownNumber(locale, value, 'f', 2);
         case Row::Kind::YesNo:
             return value != 0.0 ? StatisticsRowTexts::tr("yes") : StatisticsRowTexts::tr("no");
         case Row::Kind::Quantity:
-            return quantityText(value);
+            return quantityText(locale, value);
     }
     return {};
 }
@@ -362,11 +364,12 @@ std::optional<double> statisticsValue(const StatisticsRow& row, const MeshMeasur
     return before && after ? Value(*after - *before) : std::nullopt;
 }
 
-QString statisticsText(const StatisticsRow& row, const MeshMeasurement& all, StatisticsSide side) {
+QString statisticsText(const StatisticsRow& row, const MeshMeasurement& all, StatisticsSide side,
+                       const QLocale& locale) {
     const Value value = statisticsValue(row, all, side);
     if (value) {
         const bool isChange = side == StatisticsSide::Change && row.kind == Row::Kind::Quantity;
-        const QString text = isChange ? changeText(*value) : numberText(row, *value);
+        const QString text = isChange ? changeText(locale, *value) : numberText(locale, row, *value);
         const bool isIncrease = side == StatisticsSide::Change && *value > 0.0;
         return isIncrease ? u'+' + text : text;
     }

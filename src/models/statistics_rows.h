@@ -6,6 +6,7 @@
 #include <span>
 
 #include "analysis/measured_target.h"
+#include "session/shown_number.h"
 
 namespace hitscope {
 
@@ -47,9 +48,9 @@ enum class StatisticsSide : std::uint8_t { Original, Deformed, Change };
 [[nodiscard]] std::optional<double> statisticsValue(const StatisticsRow& row, const MeshMeasurement& all,
                                                     StatisticsSide side);
 /// "1,234", "0.30000", "12.5", "yes"; for Change with its sign. Empty where there is no value and need not be
-/// one; a word or two ("open") where there could be one: whyNot() has the sentence.
+/// one; a word or two ("open") where there could be one: whyNot() has the sentence. `locale`: of numbers.
 [[nodiscard]] QString statisticsText(const StatisticsRow& row, const MeshMeasurement& all,
-                                     StatisticsSide side);
+                                     StatisticsSide side, const QLocale& locale = shownLocale());
 /// Why a row that could have a value has none: "Not watertight: 24 boundary edges." Empty: it has one.
 [[nodiscard]] QString whyNot(const StatisticsRow& row, const MeshMeasurement& all);
 

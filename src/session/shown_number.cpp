@@ -18,8 +18,7 @@ namespace hitscope {
 namespace {
 
 /// The C locale, which bare machines have, leaves group separators out; long vertex counts need them.
-QLocale groupingLocale() {
-    QLocale locale;
+QLocale grouping(QLocale locale) {
     locale.setNumberOptions(locale.numberOptions() & ~QLocale::OmitGroupSeparator);
     return locale;
 }
@@ -51,8 +50,20 @@ int trCount(std::size_t count) {
     return static_cast<int>(std::min(count, std::size_t{std::numeric_limits<int>::max()}));
 }
 
+QLocale shownLocale() {
+    return grouping(QLocale());
+}
+
+QLocale copiedLocale() {
+    return grouping(QLocale::c());
+}
+
 QString shownNumber(double value, char format, int precision) {
-    return groupingLocale().toString(value, format, precision);
+    return shownNumber(shownLocale(), value, format, precision);
+}
+
+QString shownNumber(const QLocale& locale, double value, char format, int precision) {
+    return locale.toString(value, format, precision);
 }
 
 QString shownFloat(float value) {
@@ -71,7 +82,7 @@ QString shownFloat(float value) {
 }
 
 QString shownCount(std::size_t count) {
-    return groupingLocale().toString(static_cast<qulonglong>(count));
+    return shownLocale().toString(static_cast<qulonglong>(count));
 }
 
 QString numberSeparator() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QLocale>
 #include <QString>
 #include <cstddef>
 
@@ -11,10 +12,17 @@ namespace hitscope {
 
 /// `format` and `precision` as in QLocale::toString(): shownNumber(0.25, 'f', 1) is "0.3", or "0,3".
 [[nodiscard]] QString shownNumber(double value, char format = 'g', int precision = 6);
+/// Likewise in a locale, such as copiedLocale().
+[[nodiscard]] QString shownNumber(const QLocale& locale, double value, char format, int precision);
 
 /// A number that people set, as they would write it: the shortest decimal that reads back as the same float,
 /// "0.027", or "2e-09" beyond what is read easily.
 [[nodiscard]] QString shownFloat(float value);
+
+/// That of shownNumber() and shownCount().
+[[nodiscard]] QLocale shownLocale();
+/// That of numbers in text that is copied or printed: "7,938" and "0.25" everywhere.
+[[nodiscard]] QLocale copiedLocale();
 
 /// "7,938", grouped as the locale does.
 [[nodiscard]] QString shownCount(std::size_t count);

@@ -109,6 +109,25 @@ private Q_SLOTS:
                                                                      : QStringLiteral("same")));
     }
 
+    /// From one that has no room for it to one that has, both of which have a capacity.
+    void takesBackWhatAnotherPipelineKeeps() {
+        hit(100, 4);
+        m_session->selection().setPicked(VertexRef{target().id, changedMost()});
+        const int before = m_model->rowCount();
+        QVERIFY(before > 0);
+        CapacityReport report;
+        report.capacity = 50;
+        for (std::size_t i = 0; i <= row(0).hit; ++i) {
+            report.dropped.push_back(i);
+        }
+        test::readBackOf(*m_session).setCapacity(report);
+        QTRY_COMPARE_WITH_TIMEOUT(m_model->rowCount(), before - 1, kPatience);
+        report.dropped.clear();
+        report.perTarget = true;
+        test::readBackOf(*m_session).setCapacity(report);
+        QTRY_COMPARE_WITH_TIMEOUT(m_model->rowCount(), before, kPatience);
+    }
+
     void followsWhatIsShown() {
         hit(100, 4);
         m_session->selection().setPicked(VertexRef{target().id, changedMost()});

@@ -79,8 +79,8 @@ private Q_SLOTS:
         again.load(settings);
         QCOMPARE(again.all().size(), ours + 2);
         QCOMPARE(again.find(dent, {}), std::optional(ours + 1));
-        again.remove(ours + 1);
-        again.remove(0);
+        again.remove(QStringLiteral("Mine"));
+        again.remove(again.all()[0].name);
         QCOMPARE(again.all().size(), ours + 1);
         again.store(settings);
         ConstantsPresets fewer;

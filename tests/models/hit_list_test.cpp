@@ -3,6 +3,7 @@
 #include "models/hit_list.h"
 
 #include <QAbstractItemModelTester>
+#include <QItemSelectionModel>
 #include <QMimeData>
 #include <QSignalSpy>
 #include <QTest>
@@ -71,6 +72,76 @@ private Q_SLOTS:
         QVERIFY(m_list->isInOrder());
         QCOMPARE(m_list->headerData(HitHistoryModel::PointColumn, Qt::Horizontal).toString(),
                  QStringLiteral("Point (m)"));
+    }
+
+    /// A selection that is told of no hint keeps an index a cell, and takes seconds over some hundred rows.
+    void aLongSelectionIsKeptByRows() {
+        for (int i = 0; i < 60; ++i) {
+            add(static_cast<std::size_t>(i % 3), static_cast<float>(i));
+        }
+        QItemSelectionModel selection(m_list.get());
+        selection.select({m_list->index(5, 0), m_list->index(49, HitHistoryModel::ColumnCount - 1)},
+                         QItemSelectionModel::Select);
+        std::vector<QAbstractItemModel::LayoutChangeHint> hints;
+        for (QAbstractItemModel* model : {static_cast<QAbstractItemModel*>(m_list.get()),
+                                          static_cast<QAbstractItemModel*>(m_model.get())}) {
+            const auto take = [&hints](const QList<QPersistentModelIndex>&,
+                                       QAbstractItemModel::LayoutChangeHint hint) { hints.push_back(hint); };
+            connect(model, &QAbstractItemModel::layoutAboutToBeChanged, m_list.get(), take);
+            connect(model, &QAbstractItemModel::layoutChanged, m_list.get(), take);
+        }
+        const auto selected = [&selection] {
+            std::vector<int> rows;
+            for (const QModelIndex& index : selection.selectedRows()) {
+                rows.push_back(index.row());
+            }
+            std::sort(rows.begin(), rows.end());
+            return rows;
+        };
+        m_session->hits().remove(2);
+        QCOMPARE(selected().size(), std::size_t{45});
+        QCOMPARE(selected().front(), 4);
+        m_session->hits().remove(10);
+        QCOMPARE(selected().size(), std::size_t{44});
+        m_session->undo();
+        QCOMPARE(selected().size(), std::size_t{44});
+        m_list->sort(HitHistoryModel::NumberColumn, Qt::DescendingOrder);
+        QCOMPARE(selected().size(), std::size_t{44});
+        QVERIFY(hints.size() >= 14);
+        QVERIFY(std::all_of(hints.begin(), hints.end(),
+                            [](auto hint) { return hint == QAbstractItemModel::VerticalSortHint; }));
+    }
+
+    void filtersByNumbersAsTheyAreShown() {
+        std::vector<Hit> hits(1005);
+        for (Hit& hit : hits) {
+            hit.target = m_session->targets()[0]->id;
+        }
+        QVERIFY(m_session->hits().add(hits).ok());
+        const QString shown = m_list->index(1003, HitHistoryModel::NumberColumn).data().toString();
+        QCOMPARE(shown, QStringLiteral("1,004"));
+        m_list->setFilter({shown, {}, false});
+        QCOMPARE(listed(), (std::vector<int>{1004}));
+        m_list->setFilter({QStringLiteral("1004"), {}, false});
+        QCOMPARE(listed(), (std::vector<int>{1004}));
+        m_list->setFilter({QStringLiteral(","), {}, false});
+        QCOMPARE(listed(), std::vector<int>());
+    }
+
+    void aMovedTargetFiltersNothingAnew() {
+        add(0, 1.0f);
+        add(1, 2.0f);
+        m_list->setFilter({QStringLiteral("cube 2"), {}, false});
+        const TargetId moved = m_session->targets()[0]->id;
+        QVERIFY(m_session->targets().rename(moved, QStringLiteral("cube 22")).ok());
+        QVERIFY(!m_list->isSettled());
+        QTRY_COMPARE_WITH_TIMEOUT(listed(), (std::vector<int>{1, 2}), kPatience);
+        RigidTransform there = m_session->targets()[0]->transform;
+        there.position.y += 1.0f;
+        const QString before = m_list->index(0, HitHistoryModel::WorldPointColumn).data().toString();
+        QVERIFY(m_session->targets().setTransform(moved, there).ok());
+        QVERIFY(m_list->isSettled());
+        QVERIFY(m_list->index(0, HitHistoryModel::WorldPointColumn).data().toString() != before);
     }
 
     void filters() {

@@ -318,6 +318,12 @@ void MeshStatisticsModelTest::reportsAreWhatIsShown() {
     const QString markdown = statisticsAsMarkdown(QStringLiteral("cube"), measurement);
     QVERIFY(markdown.contains(QStringLiteral("| Volume (m³) | 125.00 | 125.00 | 0 |")));
     QCOMPARE(markdown.count(QStringLiteral("### ")), qsizetype{6});
+    QLocale::setDefault(QLocale(QLocale::German));
+    const QString german = statisticsAsMarkdown(QStringLiteral("cube"), measurement);
+    const QString shown = statisticsText(statisticsRow("volume"), measurement, StatisticsSide::Original);
+    QLocale::setDefault(QLocale::c());
+    QCOMPARE(german, markdown);
+    QCOMPARE(shown, QStringLiteral("125,00"));
 }
 
 void MeshStatisticsModelTest::listsHarmedFacesAndTheirHits() {
@@ -347,6 +353,11 @@ void MeshStatisticsModelTest::listsHarmedFacesAndTheirHits() {
     QTRY_COMPARE_WITH_TIMEOUT(health.harmAt(0).hit, std::optional<std::size_t>(1), kPatience);
     const int before = health.rowCount();
     model.measuring().setStretchLimit(1.01f);
+    QTRY_VERIFY_WITH_TIMEOUT(health.rowCount() > before, kPatience);
+    // Nothing is known yet of others, and these faces are not theirs.
+    model.measuring().setTargets({}, true);
+    QCOMPARE(health.rowCount(), 0);
+    model.measuring().setTargets({target.id}, true);
     QTRY_VERIFY_WITH_TIMEOUT(health.rowCount() > before, kPatience);
     session.undo();
     applyOnCpu(session);

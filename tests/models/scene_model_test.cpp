@@ -100,6 +100,19 @@ private Q_SLOTS:
         QCOMPARE(text(1, SceneModel::NameColumn), QStringLiteral("Low-poly cube 2"));
     }
 
+    /// Its mesh is another one then, and its hits are that one's.
+    void countsTheOnlyHitOfAReplacedMesh() {
+        hit(*m_session, m_session->targets()[2]->id);
+        TargetState same = *m_session->targets()[2];
+        m_session->targets().replaceMeshes({&same, 1}, [](const Hit& kept) { return kept; });
+        QCOMPARE(m_session->hits().history().size(), std::size_t{1});
+        QCOMPARE(text(2, SceneModel::HitsColumn), QStringLiteral("1"));
+        m_session->undo();
+        QCOMPARE(text(2, SceneModel::HitsColumn), QStringLiteral("1"));
+        m_session->redo();
+        QCOMPARE(text(2, SceneModel::HitsColumn), QStringLiteral("1"));
+    }
+
     void theEyeHides() {
         QVERIFY(m_model->setData(at(1, SceneModel::VisibleColumn), Qt::Unchecked, Qt::CheckStateRole));
         QVERIFY(!m_session->targets()[1]->visible);

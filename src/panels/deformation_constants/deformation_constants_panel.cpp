@@ -275,11 +275,14 @@ void DeformationConstantsPanel::savePreset() {
         return;
     }
     const ConstantsSetting& now = m_session.settings().constantsSetting();
+    const ChangedSettings settings;
+    settings->sync();
+    m_presets.load(*settings);  // another Hitscope may have changed them meanwhile
     if (Status status = m_presets.save(name, now.constants, now.form); !status) {
         QMessageBox::warning(this, tr("Save as Preset"), QString::fromStdString(status.error().message()));
         return;
     }
-    m_presets.store(*ChangedSettings());
+    m_presets.store(*settings);
     listPresets();
     showConstants();
     Q_EMIT presetsChanged();
@@ -287,8 +290,12 @@ void DeformationConstantsPanel::savePreset() {
 
 void DeformationConstantsPanel::deletePreset() {
     if (const std::optional<std::size_t> preset = presetInForce()) {
-        m_presets.remove(*preset);
-        m_presets.store(*ChangedSettings());
+        const QString name = m_presets.all()[*preset].name;
+        const ChangedSettings settings;
+        settings->sync();
+        m_presets.load(*settings);
+        m_presets.remove(name);
+        m_presets.store(*settings);
         listPresets();
         showConstants();
         Q_EMIT presetsChanged();
