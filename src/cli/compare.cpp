@@ -76,7 +76,7 @@ struct Sides {
 
 Outcome open(Sides& sides, Invocation& given) {
     const std::optional<PipelineKind> pipeline = givenPipeline(given);
-    const bool isMeshAlone = !given.isSet("map") && !given.isSet("with");
+    const bool isDrawn = given.isSet("map") || given.isSet("with");
     if (given.files().size() == 2) {
         OpenedScene second;  // goes before the first comes: one context at a time
         if (Outcome opened = second.open({.path = given.file(1), .pipeline = pipeline, .isMeshAlone = true});
@@ -86,8 +86,8 @@ Outcome open(Sides& sides, Invocation& given) {
         sides.other = shapesOf(second.session());
         sides.otherName = given.file(1);
     }
-    if (Outcome opened =
-            sides.first.open({.path = given.file(0), .pipeline = pipeline, .isMeshAlone = isMeshAlone});
+    if (Outcome opened = sides.first.open(
+            {.path = given.file(0), .pipeline = pipeline, .isMeshAlone = !isDrawn, .isDrawn = isDrawn});
         !opened) {
         return opened;
     }

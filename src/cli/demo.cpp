@@ -130,8 +130,8 @@ Outcome writeResults(Demo& demo, OpenedScene& scene, const DemoOptions& options,
     if (!compared) {
         return cannotDraw(compared.error());
     }
-    if (Status used = useAskedPipeline(session, scene.gpu(), options.pipeline); !used) {
-        return cannotDraw(used.error());
+    if (Outcome used = scene.useAsked(options.pipeline); !used) {
+        return used;
     }
     const std::optional<ReferenceAgreement> shown = agreementOfActive(session);
     const Target& exported = mostChangedTarget(session);
@@ -171,7 +171,9 @@ Outcome shootDemo(const DemoOptions& options, const Invocation& given) {
                      "Choose one you may write to."};
     }
     OpenedScene scene;
-    if (Outcome opened = scene.open({options.meshPath, PipelineKind::Reference}); !opened) {
+    if (Outcome opened =
+            scene.open({.path = options.meshPath, .pipeline = PipelineKind::Reference, .isDrawn = true});
+        !opened) {
         return opened;
     }
     gl::collectDebugMessages();

@@ -124,16 +124,34 @@ Outcome OpenedScene::open(const SceneWish& wish) {
         }
         m_prepared = std::move(prepared).value();
     }
+    m_session = std::make_unique<Session>();
     if (wish.isMeshAlone && !m_prepared) {
-        m_session = std::make_unique<Session>();
         return load(wish);
     }
-    Result<std::unique_ptr<gl::OffscreenContext>> context = gl::OffscreenContext::create();
-    if (!context) {
-        return cannotDraw(context.error());
+    const PipelineKind wanted = wish.pipeline.value_or(m_prepared ? m_prepared->document.simulation.pipeline
+                                                                  : PipelineKind::TransformFeedback);
+    if (wanted == PipelineKind::Reference && !wish.isDrawn) {
+        return openWithReference(wish);
     }
-    m_context = std::move(context).value();
-    m_session = std::make_unique<Session>();
+    Result<std::unique_ptr<gl::OffscreenContext>> context = gl::OffscreenContext::create();
+    if (context) {
+        return openOnGpu(wish, std::move(context).value());
+    }
+    Error error = context.error();
+    if (wish.isDrawn) {
+        return cannotDraw(std::move(error));
+    }
+    if (wish.pipeline || !pipelineTraits(wanted).keepsAll) {
+        error.advice += " Or choose --pipeline reference, which works without OpenGL.";
+        return cannotDraw(std::move(error));
+    }
+    note(QStringLiteral("note: %1 Using the reference instead, which needs none.")
+             .arg(QString::fromStdString(error.what)));
+    return openWithReference(wish);
+}
+
+Outcome OpenedScene::openOnGpu(const SceneWish& wish, std::unique_ptr<gl::OffscreenContext> context) {
+    m_context = std::move(context);
     Result<std::unique_ptr<SceneGpu>> gpu = SceneGpu::create(*m_session);
     if (!gpu) {
         return cannotDraw(gpu.error());
@@ -146,8 +164,19 @@ Outcome OpenedScene::open(const SceneWish& wish) {
         m_session->hits().show(wish.until);
         return use(wish.pipeline.value_or(m_prepared->document.simulation.pipeline));
     }
-    const Status used = useAskedPipeline(*m_session, *m_gpu, wish.pipeline);
-    return used ? Outcome(Done{}) : cannotDraw(used.error());
+    return useAsked(wish.pipeline);
+}
+
+Outcome OpenedScene::openWithReference(const SceneWish& wish) {
+    m_reference = std::make_unique<ReferenceScene>(*m_session);
+    if (Outcome loaded = load(wish); !loaded) {
+        return loaded;
+    }
+    if (m_prepared) {
+        m_session->hits().show(wish.until);
+    }
+    m_session->settings().setPipeline(PipelineKind::Reference);
+    return sync();
 }
 
 Outcome OpenedScene::use(PipelineKind kind) {
@@ -155,8 +184,16 @@ Outcome OpenedScene::use(PipelineKind kind) {
     return used ? Outcome(Done{}) : cannotDraw(used.error());
 }
 
+Outcome OpenedScene::useAsked(std::optional<PipelineKind> asked) {
+    const Status used = useAskedPipeline(*m_session, *m_gpu, asked);
+    return used ? Outcome(Done{}) : cannotDraw(used.error());
+}
+
 Outcome OpenedScene::sync() {
-    const Status synced = m_gpu->sync();
+    if (m_reference) {
+        m_reference->sync();
+    }
+    const Status synced = m_gpu ? m_gpu->sync() : Status(Done{});
     return synced ? Outcome(Done{}) : cannotDraw(synced.error());
 }
 

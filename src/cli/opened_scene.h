@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "analysis/reference_scene.h"
 #include "cli/command_line.h"
 #include "document/open_document.h"
 #include "gl/context.h"
@@ -23,8 +24,8 @@ struct SceneWish {
     /// Nothing: the session's own; of a mesh the usual one, or, where that is not exact here, one that is.
     std::optional<PipelineKind> pipeline = {};
     std::optional<std::size_t> until = {};  ///< only the first so many hits; nothing: all
-    /// Of a mesh that is neither drawn nor shot at: opened without OpenGL, and there is no gpu().
-    bool isMeshAlone = false;
+    bool isMeshAlone = false;               ///< of a mesh, that is not shot at: nothing follows its hits
+    bool isDrawn = false;               ///< or applied by several pipelines: takes OpenGL, and has a gpu()
     CoordinateChange coordinates = {};  ///< of a mesh, before all else
 };
 
@@ -40,8 +41,10 @@ public:
     OpenedScene() = default;
     /// Cannot draw, bad input, or good.
     [[nodiscard]] Outcome open(const SceneWish& wish);
-    /// Another pipeline; cannot draw where it does not run here.
+    /// Another pipeline of a scene that is drawn; cannot draw where it does not run here.
     [[nodiscard]] Outcome use(PipelineKind kind);
+    /// Likewise useAskedPipeline().
+    [[nodiscard]] Outcome useAsked(std::optional<PipelineKind> asked);
     /// Waits until what was done meanwhile has come back.
     [[nodiscard]] Outcome sync();
 
@@ -59,11 +62,15 @@ public:
 
 private:
     [[nodiscard]] Outcome load(const SceneWish& wish);
+    [[nodiscard]] Outcome openOnGpu(const SceneWish& wish, std::unique_ptr<gl::OffscreenContext> context);
+    [[nodiscard]] Outcome openWithReference(const SceneWish& wish);
 
     std::unique_ptr<gl::OffscreenContext> m_context;
     std::unique_ptr<Session> m_session;
     std::optional<PreparedSession> m_prepared;
-    std::unique_ptr<SceneGpu> m_gpu;  // below the session and the context, so that it goes first
+    // Below the session and the context, so that they go first. One of them, or none of a mesh alone.
+    std::unique_ptr<SceneGpu> m_gpu;
+    std::unique_ptr<ReferenceScene> m_reference;
 };
 
 }  // namespace hitscope::cli

@@ -92,7 +92,7 @@ QString suffixOf(const QString& path) {
 
 /// Files that somebody opens as what their suffix says, and what else may be in them; an option that is not
 /// listed writes any of them.
-QString wrongSuffix(const NamedFile& output) {
+QString wrongSuffix(const NamedFile& output, const Invocation& given) {
     const QString suffix = suffixOf(output.path);
     const QString session = QStringLiteral("hitscope");
     if (output.as == QLatin1String("--session")) {
@@ -102,9 +102,11 @@ QString wrongSuffix(const NamedFile& output) {
                          .arg(suffix);
     }
     if (suffix == session) {
-        return QStringLiteral("%1 writes %2, so its suffix cannot be .hitscope.")
-            .arg(output.as, output.as == QLatin1String("--out") ? QStringLiteral("a mesh")
-                                                                : QStringLiteral("no session"));
+        const bool isMesh = output.as == QLatin1String("--out");
+        const bool hasOther = given.usage().find(QStringLiteral("session")) != nullptr;
+        return QStringLiteral("%1 writes %2, so its suffix cannot be .hitscope.%3")
+            .arg(output.as, isMesh ? QStringLiteral("a mesh") : QStringLiteral("no session"),
+                 hasOther ? QStringLiteral(" --session writes a session.") : QString());
     }
     const bool isData = output.as == QLatin1String("--report") || output.as == QLatin1String("--csv") ||
                         output.as == QLatin1String("--svg") || output.as == QLatin1String("--hits-out") ||
@@ -196,7 +198,7 @@ QString wrongOutputs(const Invocation& given) {
                     .arg(outputAsNamed(output), output.path, wordForPlace(output));
             }
         }
-        if (const QString wrong = wrongSuffix(output); !wrong.isEmpty()) {
+        if (const QString wrong = wrongSuffix(output, given); !wrong.isEmpty()) {
             return wrong;
         }
         before.push_back(output);

@@ -180,6 +180,7 @@ QList<UsageOption> pictureOptions() {
 PictureArguments readPictureArguments(Invocation& given, const QString& scene) {
     PictureArguments arguments;
     arguments.scene = givenScene(given, scene);
+    arguments.scene.isDrawn = true;
     arguments.isZUp = givenZUp(given);
     readSize(given, arguments);
     arguments.samples = given.wholeNumber("samples", 1, kMostSamples);

@@ -299,7 +299,10 @@ Outcome reportShots(Invocation& given, OpenedScene& scene, const ShootOptions& o
 
 Outcome shoot(Invocation& given, const ShootOptions& options) {
     OpenedScene scene;
-    if (Outcome opened = scene.open({options.scenePath, options.pipeline}); !opened) {
+    if (Outcome opened = scene.open({.path = options.scenePath,
+                                     .pipeline = options.pipeline,
+                                     .isDrawn = !options.picturePath.isEmpty()});
+        !opened) {
         return opened;
     }
     Session& session = scene.session();

@@ -60,7 +60,7 @@ Outcome verifyAll(OpenedScene& scene, Verification& all) {
 
 Outcome verify(Invocation& given) {
     OpenedScene scene;
-    if (Outcome opened = scene.open({given.file(0)}); !opened) {
+    if (Outcome opened = scene.open({.path = given.file(0), .isDrawn = true}); !opened) {
         return opened;
     }
     Session& session = scene.session();

@@ -21,9 +21,10 @@ namespace test {
 struct ReadBackInTests;
 }
 
-/// Who may write a session's read-back: SceneGpu, and tests in its place.
+/// Who may write a session's read-back: SceneGpu, ReferenceScene where there is none, and tests in its place.
 class ReadBackAccess {
     friend class SceneGpu;
+    friend class ReferenceScene;
     friend struct test::ReadBackInTests;
     ReadBackAccess() = default;
 };

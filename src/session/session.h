@@ -47,7 +47,7 @@ public:
     [[nodiscard]] FrameCosts& frameCosts() const { return *m_frameCosts; }
     /// What the renderer reports: what it can, and what the active pipeline made of the targets.
     [[nodiscard]] const ReadBack& readBack() const { return *m_readBack; }
-    [[nodiscard]] ReadBack& readBack(ReadBackAccess /*only SceneGpu has it*/) { return *m_readBack; }
+    [[nodiscard]] ReadBack& readBack(ReadBackAccess /*as that says*/) { return *m_readBack; }
 
     /// Replaces targets and history. One step to undo, unless there was no target before. `kind` names it.
     void loadScene(ScenePlan plan, SessionUndo::Kind kind = SessionUndo::Kind::LoadScene);

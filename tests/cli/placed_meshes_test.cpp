@@ -205,7 +205,38 @@ private Q_SLOTS:
         QCOMPARE(runCli({"convert", mesh, in("a.ply")}, without).status, 0);
         QCOMPARE(runCli({"compare", mesh, in("a.ply")}, without).status, 0);
         QCOMPARE(runCli({"section", "--plane", "x=0.3", mesh}, without).status, 0);
-        QCOMPARE(runCli({"shoot", mesh}, without).status, 4);
+        // Hits are applied by the reference then, and the results are those of the usual pipeline.
+        const CliRun with = runCli({"shoot", mesh, "--session", in("with.hitscope")});
+        const CliRun run = runCli({"shoot", mesh, "--session", in("a.hitscope")}, without);
+        QCOMPARE(run.status, 0);
+        QVERIFY2(run.err.contains(QStringLiteral("Using the reference instead")), qPrintable(run.err));
+        QVERIFY2(run.out.contains(QStringLiteral("Reference: as every hit at every vertex")),
+                 qPrintable(run.out));
+        const auto fingerprints = [](const CliRun& one) {
+            return QString(one.out)
+                .replace(QStringLiteral("Transform feedback"), QStringLiteral("Reference"))
+                .split(u'\n')
+                .filter(QStringLiteral("fingerprint"));
+        };
+        QCOMPARE(fingerprints(run), fingerprints(with));
+        QCOMPARE(fingerprints(run).size(), 2);
+        for (const QStringList& verb : {QStringList{"info"},
+                                        {"replay"},
+                                        {"changes"},
+                                        {"dents"},
+                                        {"section", "--plane", "x=0.3"},
+                                        {"explain", "--vertex", "1"},
+                                        {"export", "--out", in("b.obj")}}) {
+            for (const QString& session : {in("a.hitscope"), in("with.hitscope")}) {
+                const CliRun one = runCli(verb + QStringList{session}, without);
+                QVERIFY2(one.status == 0, qPrintable(verb[0] + one.err));
+            }
+        }
+        const CliRun asked = runCli({"replay", "--pipeline", "compute", in("a.hitscope")}, without);
+        QCOMPARE(asked.status, 4);
+        QVERIFY2(asked.err.contains(QStringLiteral("--pipeline reference")), qPrintable(asked.err));
+        QCOMPARE(runCli({"shoot", mesh, "--picture", in("a.png")}, without).status, 4);
+        QCOMPARE(runCli({"verify", in("a.hitscope")}, without).status, 4);
     }
 
     void badFilesKeepNobodyFromOthers() {
