@@ -4,13 +4,14 @@
 #include <QIcon>
 #include <QMessageBox>
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
+#include <optional>
 #include <span>
 #include <string_view>
+#include <utility>
 
 #include "app/end_signals.h"
 #include "app/main_window.h"
+#include "app/no_window.h"
 #include "app/theme.h"
 #include "core/kept_libraries.h"
 #include "core/memory.h"
@@ -38,38 +39,16 @@ bool asksOnlyForWords(std::span<char*> arguments) {
     });
 }
 
-/// Qt's platforms without windows that OpenGL draws into; a QOpenGLWidget crashes there.
-bool hasWindows(const QString& platform) {
-    return platform != QLatin1String("offscreen") && !platform.startsWith(QLatin1String("minimal")) &&
-           platform != QLatin1String("vnc") && platform != QLatin1String("linuxfb");
-}
-
 bool hasDisplay() {
     return !qEnvironmentVariableIsEmpty("DISPLAY") || !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") ||
            !qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM");
 }
 
+constexpr const char* kProgram = "hitscope";
+
 /// Returns the status to end with.
 int saysNo(const QString& why) {
-    std::fprintf(stderr, "hitscope: %s\n", qPrintable(why));
-    return 1;
-}
-
-/// While Qt connects to the display: where it cannot, it ends the program by a signal, after a page of
-/// advice.
-void sayWhyThereIsNoWindow(QtMsgType type, const QMessageLogContext& context, const QString& text) {
-    static QString reason;
-    const bool isOfPlatform =
-        context.category != nullptr && std::string_view(context.category).starts_with("qt.qpa");
-    if (type == QtFatalMsg) {
-        std::_Exit(saysNo(QStringLiteral("no window can be opened: %1. hitscope-cli works without a display.")
-                              .arg(reason.isEmpty() ? text.section(u'\n', 0, 0) : reason)));
-    }
-    if (isOfPlatform && reason.isEmpty()) {
-        reason = text.trimmed();
-    } else if (!isOfPlatform) {
-        std::fprintf(stderr, "%s\n", qPrintable(text));
-    }
+    return hitscope::saysNo(kProgram, why);
 }
 
 }  // namespace
@@ -93,9 +72,10 @@ int main(int argc, char** argv) {
 
     // Before the application: Qt makes its shared context with the default format.
     hitscope::MainWindow::setSurfaceFormat();
-    qInstallMessageHandler(sayWhyThereIsNoWindow);
+    std::optional<hitscope::DisplayRefusal> refusal(std::in_place, kProgram,
+                                                    QStringLiteral("hitscope-cli works without a display."));
     const QApplication application(argc, argv);
-    qInstallMessageHandler(nullptr);
+    refusal.reset();
     QApplication::setApplicationDisplayName(QStringLiteral("Hitscope"));
     QApplication::setDesktopFileName(QStringLiteral("hitscope"));
     QApplication::setStyle(hitscope::makeStyle());
@@ -103,11 +83,8 @@ int main(int argc, char** argv) {
     describe(parser);
     parser.process(application);
 
-    if (const QString platform = QGuiApplication::platformName(); !hasWindows(platform)) {
-        return saysNo(QStringLiteral("Qt's platform \"%1\" has no windows to draw into. Unset "
-                                     "QT_QPA_PLATFORM, or set it to xcb or wayland; hitscope-cli works "
-                                     "without a display.")
-                          .arg(platform));
+    if (const QString why = hitscope::whyNoWindows(); !why.isEmpty()) {
+        return saysNo(why + QStringLiteral(" hitscope-cli works without a display."));
     }
     if (const hitscope::Status openGl = hitscope::checkOpenGl(); !openGl) {
         const QString text = QString::fromStdString(openGl.error().message());

@@ -5,7 +5,6 @@
 #include <QPoint>
 #include <QSize>
 #include <QString>
-#include <QTemporaryDir>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -13,6 +12,7 @@
 
 #include "app/main_window.h"
 #include "bench_window/loop_watch.h"
+#include "bench_window/passing_folder.h"
 #include "core/result.h"
 #include "session/session.h"
 
@@ -97,7 +97,7 @@ private:
     [[nodiscard]] bool isQuiet();
     void seeLoop();
 
-    QTemporaryDir m_folder;  ///< of settings and journals
+    PassingFolder m_folder;  ///< of settings and journals
     Session m_session;
     std::unique_ptr<MainWindow> m_window;
     QString m_error;

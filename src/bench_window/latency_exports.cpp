@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bench_window/latency_exports.h"
 
-#include <QTemporaryDir>
 #include <optional>
 
 #include "app/actions/export_actions.h"
+#include "bench_window/passing_folder.h"
 
 namespace hitscope::bench {
 
@@ -35,7 +35,7 @@ std::optional<Row> exportOnce(DrivenWindow& window, ExportActions& exports, cons
 
 std::vector<Row> exportLatency(DrivenWindow& window) {
     std::vector<Row> rows;
-    const QTemporaryDir folder;
+    const PassingFolder folder;
     auto* const exports = window.window().findChild<ExportActions*>();
     if (exports == nullptr || !folder.isValid()) {
         return rows;

@@ -6,11 +6,15 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <cstdio>
+#include <optional>
+#include <utility>
 
+#include "app/no_window.h"
 #include "app/theme.h"
 #include "bench_window/driven_window.h"
 #include "bench_window/latency.h"
 #include "bench_window/memory.h"
+#include "bench_window/passing_folder.h"
 #include "core/kept_libraries.h"
 #include "core/memory.h"
 #include "viewport/surface/surface_format.h"
@@ -20,13 +24,14 @@ namespace {
 
 using hitscope::bench::DrivenWindow;
 
+constexpr const char* kProgram = "hitscope-bench-window";
+
 QCommandLineOption option(const char* name, const char* value) {
     return {QLatin1String(name), {}, QStringLiteral("n"), QLatin1String(value)};
 }
 
 int fail(const QString& why) {
-    std::fprintf(stderr, "hitscope-bench-window: %s\n", qPrintable(why));
-    return 1;
+    return hitscope::saysNo(kProgram, why);
 }
 
 QJsonObject measure(const QCommandLineParser& given, DrivenWindow& window) {
@@ -48,7 +53,12 @@ int main(int argc, char** argv) {
     QCoreApplication::setOrganizationName(QStringLiteral("Hitscope"));
     QCoreApplication::setApplicationName(QStringLiteral("hitscope-bench"));
     hitscope::MainWindow::setSurfaceFormat();
+    std::optional<hitscope::DisplayRefusal> refusal(
+        std::in_place, kProgram,
+        QStringLiteral("Unset DISPLAY and WAYLAND_DISPLAY to measure on a display in memory."));
     const QApplication application(argc, argv);
+    refusal.reset();
+    hitscope::bench::leaveNothingBehind();
     QApplication::setStyle(hitscope::makeStyle());
     QCommandLineParser given;
     for (const auto& [name, value] :
@@ -60,6 +70,9 @@ int main(int argc, char** argv) {
     given.process(application);
     if (given.positionalArguments().size() != 2) {
         return fail(QStringLiteral("it is started by hitscope-cli bench latency and bench memory."));
+    }
+    if (const QString why = hitscope::whyNoWindows(); !why.isEmpty()) {
+        return fail(why);
     }
     if (const hitscope::Status openGl = hitscope::checkOpenGl(); !openGl) {
         return fail(QString::fromStdString(openGl.error().message()));

@@ -29,6 +29,7 @@ public:
     ScratchFolder& operator=(const ScratchFolder&) = delete;
 
     [[nodiscard]] Status check() const;  ///< whether it could be made
+    [[nodiscard]] const QString& path() const { return m_path; }
     [[nodiscard]] QString file(const QString& name) const { return m_path + u'/' + name; }
     /// What is in it, but for that file.
     [[nodiscard]] QStringList filesBeside(const QString& path) const;

@@ -1,39 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // hitscope-cli bench as a person runs it. No time is asserted: machines differ.
+#include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
-#include <cmath>
 
-#include "cli/run_cli.h"
+#include "cli/bench_runs.h"
 #include "support/test_program.h"
 
 namespace hitscope::bench_test {
 
 using namespace test;
-
-namespace {
-
-CliRun runBench(const QString& arguments) {
-    return runCli(QStringList{QStringLiteral("bench")} +
-                  arguments.split(QLatin1Char(' '), Qt::SkipEmptyParts));
-}
-
-QJsonArray recordsOf(const QString& json) {
-    return QJsonDocument::fromJson(json.toUtf8()).object()[QStringLiteral("records")].toArray();
-}
-
-double number(const QJsonValue& record, const char* field) {
-    return record.toObject()[QLatin1String(field)].toDouble(-1.0);
-}
-
-QString text(const QJsonValue& record, const char* field) {
-    return record.toObject()[QLatin1String(field)].toString();
-}
-
-}  // namespace
 
 class BenchTest : public QObject {
     Q_OBJECT
@@ -120,89 +100,6 @@ private Q_SLOTS:
         QCOMPARE(run.status == 0, allKept);
     }
 
-    void latencyMeasuresTheWindow() {
-        const CliRun run = runBench(
-            QStringLiteral("latency --quick --vertices 500,900 --size 400x300 --scattered 20 --json"));
-        if (run.status == 4 && run.err.contains(QStringLiteral("install Xvfb"))) {
-            QSKIP("no Xvfb");
-        }
-        QVERIFY2(run.status == 0, qPrintable(run.err));
-        const QStringList wanted{QStringLiteral("teapot, rest to refined picture"),
-                                 QStringLiteral("teapot, turned, rest to refined picture"),
-                                 QStringLiteral("open to picture"),
-                                 QStringLiteral("click to dent"),
-                                 QStringLiteral("click to dent, instant"),
-                                 QStringLiteral("undo key to picture"),
-                                 QStringLiteral("redo key to picture"),
-                                 QStringLiteral("frame at rest"),
-                                 QStringLiteral("frame in motion, full size"),
-                                 QStringLiteral("frame in motion"),
-                                 QStringLiteral("aim preview, rest to picture"),
-                                 QStringLiteral("aim preview, over a refined picture"),
-                                 QStringLiteral("export, OBJ"),
-                                 QStringLiteral("export, GLB"),
-                                 QStringLiteral("scatter, previewed"),
-                                 QStringLiteral("scatter, applied"),
-                                 QStringLiteral("scatter, undone"),
-                                 QStringLiteral("scatter, redone"),
-                                 QStringLiteral("frame in motion, close up")};
-        for (const int vertices : {500, 900}) {
-            QStringList measured;
-            for (const auto& record : recordsOf(run.out)) {
-                if (std::abs(number(record, "vertices") - vertices) > 0.1 * vertices ||
-                    text(record, "measured") == QLatin1String("open to coarse picture") ||
-                    text(record, "measured").endsWith(QLatin1String(", in full"))) {
-                    continue;  // it depends on the machine whether a coarse picture comes first
-                }
-                measured << text(record, "measured");
-                QVERIFY2(number(record, "seconds_median") > 0.0, qPrintable(measured.last()));
-                QVERIFY(number(record, "seconds_least") <= number(record, "seconds_median"));
-                QVERIFY(number(record, "seconds_most") >= number(record, "seconds_median"));
-                QVERIFY2(number(record, "blocked_most") > 0.0, qPrintable(measured.last()));
-                QVERIFY2(number(record, "processor_median") > 0.0, qPrintable(measured.last()));
-                QVERIFY(number(record, "moved") > 0.0);
-            }
-            QCOMPARE(measured, wanted);
-        }
-    }
-
-    void memoryMeasuresTheWindow() {
-        const CliRun run = runBench(QStringLiteral("memory --vertices 2000 --size 400x300 --hits 5 --json"));
-        if (run.status == 4 && run.err.contains(QStringLiteral("install Xvfb"))) {
-            QSKIP("no Xvfb");
-        }
-        QVERIFY2(run.status == 0, qPrintable(run.err));
-        QStringList measured;
-        for (const auto& record : recordsOf(run.out)) {
-            measured << text(record, "measured");
-            QCOMPARE(number(record, "hits"), 5.0);
-            QVERIFY(text(record, "measured") == QLatin1String("hit") || number(record, "share") > 1.0e6);
-        }
-        QCOMPARE(measured,
-                 QStringList({QStringLiteral("start"), QStringLiteral("opened"), QStringLiteral("first"),
-                              QStringLiteral("hits"), QStringLiteral("undone"), QStringLiteral("closed"),
-                              QStringLiteral("hit"), QStringLiteral("worker")}));
-    }
-
-    void windowWithoutAnyDisplaySaysWhatToInstall() {
-        for (const char* what : {"latency", "memory"}) {
-            const CliRun run = runCli({QStringLiteral("bench"), QLatin1String(what)},
-                                      {{QStringLiteral("PATH"), QStringLiteral("/nowhere")}});
-            QCOMPARE(run.status, 4);
-            QVERIFY2(run.err.contains(QStringLiteral("install Xvfb")), qPrintable(run.err));
-        }
-    }
-
-    void windowOnADisplayThatIsNotThereSaysSo() {
-        const CliRun run = runCli({QStringLiteral("bench"), QStringLiteral("latency"),
-                                   QStringLiteral("--vertices"), QStringLiteral("500")},
-                                  {{QStringLiteral("DISPLAY"), QStringLiteral(":65535")},
-                                   {QStringLiteral("QT_QPA_PLATFORM"), QStringLiteral("xcb")}});
-        QCOMPARE(run.status, 4);
-        QVERIFY2(run.err.contains(QStringLiteral("could not connect to display :65535")),
-                 qPrintable(run.err));
-    }
-
     // Table 2 has the paper's way beside Hitscope's, and the paper's ratio stands beside the measured ones.
     void paperStandsBesidePaper() {
         const CliRun run =
@@ -260,7 +157,17 @@ private Q_SLOTS:
         QVERIFY2(run.status == 0, qPrintable(run.err));
         QVERIFY(run.out.contains(QStringLiteral("The paper's own way")));
         QVERIFY(run.out.contains(QStringLiteral("memcpy")));
-        QVERIFY(run.out.contains(QStringLiteral("Time a hit over that on")));
+        QVERIFY2(run.out.contains(QRegularExpression(
+                     QStringLiteral("Time a hit over that on [0-9,]+ vertices, one hit a frame\n"))),
+                 qPrintable(run.out));
+        const CliRun ten = runBench(
+            QStringLiteral("hit --quick --vertices 500,1K --hits-a-frame 10 --pipelines transform-feedback"));
+        QVERIFY2(ten.status == 0, qPrintable(ten.err));
+        const qsizetype growth = ten.out.indexOf(QStringLiteral(" vertices, 10 hits a frame\n"));
+        QVERIFY2(growth > 0 && !ten.out.contains(QStringLiteral("one hit a frame")), qPrintable(ten.out));
+        for (const char* method : {"Transform feedback", "The paper's own way", "memcpy"}) {
+            QVERIFY2(ten.out.indexOf(QLatin1String(method), growth) > 0, method);
+        }
     }
 
     void physicsMeasuresStepsCollidersAndFrames() {
@@ -302,6 +209,8 @@ private Q_SLOTS:
         QTest::addRow("pipeline") << QStringLiteral("frame --pipelines magic") << QStringLiteral("\"magic\"");
         QTest::addRow("hits") << QStringLiteral("frame --hits many") << QStringLiteral("\"many\"");
         QTest::addRow("vertices") << QStringLiteral("hit --vertices 3") << QStringLiteral("--vertices");
+        QTest::addRow("triangles") << QStringLiteral("physics --triangles 499")
+                                   << QStringLiteral("--triangles");
         QTest::addRow("check") << QStringLiteral("check --only luck") << QStringLiteral("\"luck\"");
         QTest::addRow("file") << QStringLiteral("io out.json") << QStringLiteral("bench io takes no files");
         QTest::addRow("two outputs") << QStringLiteral("hit --json --csv -")

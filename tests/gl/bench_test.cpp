@@ -2,7 +2,13 @@
 // The hits that benchmarks make, and the paper's own way against the reference.
 #include <QTest>
 #include <glm/geometric.hpp>
+#include <memory>
+#include <optional>
+#include <vector>
 
+#include "cli/bench/bench_room.h"
+#include "cli/bench/check_report.h"
+#include "cli/bench/hit_size.h"
 #include "cli/bench/random_hits.h"
 #include "cli/bench/sphere.h"
 #include "cli/bench_gl/paper_feedback.h"
@@ -136,6 +142,60 @@ private Q_SLOTS:
             }
         }
         QCOMPARE(gl.errors(), QStringList());
+    }
+
+    // More vertices than one poll asks for.
+    void followedHitsHaveArrivedWithTheirSample() {
+        test::GlFixture gl;
+        if (!gl.open()) {
+            return;
+        }
+        const Result<std::unique_ptr<BenchRoom>> room = BenchRoom::open(16, 16);
+        QVERIFY(room);
+        HitOptions options;
+        options.pipelines = {PipelineKind::TransformFeedback};
+        options.hitsAFrame = {1, 1000};
+        options.yardsticks = false;
+        Result<std::unique_ptr<HitSizeBench>> bench = HitSizeBench::create(*room.value(), 100'000, options);
+        QVERIFY(bench);
+        const std::vector<Variant> variants = bench.value()->variants();
+        const std::vector<HitFigure> figures = bench.value()->figures(std::vector<Samples>(variants.size()));
+        QCOMPARE(variants.size(), std::size_t{4});
+        for (std::size_t i = 0; i < variants.size(); ++i) {
+            QVERIFY(variants[i].prepare());
+            QVERIFY(!bench.value()->isReadBackPending());
+            QVERIFY(variants[i].run());
+            QCOMPARE(bench.value()->isReadBackPending(),
+                     figures[i].method != HitFigure::Method::WithReadBack);
+        }
+        QVERIFY(noGlErrors());
+    }
+
+    // What --strict of bench check asks.
+    void promisesThatCannotBeMeasuredAreNotKept() {
+        test::GlFixture gl;
+        if (!gl.open()) {
+            return;
+        }
+        const Result<std::unique_ptr<BenchRoom>> room = BenchRoom::open(16, 16);
+        QVERIFY(room);
+        using Rows = Result<std::vector<CheckRow>>;
+        const auto check = [](const char* name, const Rows& rows) {
+            return Check{name, name, 1.0, [rows](const BenchRoom&, const Plan&) { return rows; }};
+        };
+        TimeRatio half;
+        half.value = 0.5;
+        half.rounds.add(0.5);
+        const Check kept = check("kept", std::vector<CheckRow>{{{}, half}});
+        const Check notHere = check("not here", std::vector<CheckRow>());
+        const Check failed = check("failed", Error{"It does not fit into memory.", "", ""});
+        const auto areKept = [&room](const std::vector<Check>& checks) {
+            Report report;
+            const Result<bool> all = reportChecks(checks, *room.value(), Plan(), report);
+            return all && report.records.size() == checks.size() ? std::optional(all.value()) : std::nullopt;
+        };
+        QCOMPARE(areKept({kept, notHere}), std::optional(true));
+        QCOMPARE(areKept({failed, kept}), std::optional(false));
     }
 };
 

@@ -27,6 +27,20 @@ cli::Outcome runBenchmark(const QString& name, const CommonOptions& options, boo
     return written ? outcome : cli::Outcome(written);
 }
 
+cli::Outcome whatCameOf(Report& report) {
+    report.notes.removeDuplicates();  // a pipeline that does not run does so on no size
+    if (!report.records.empty()) {
+        return Done{};
+    }
+    return cli::cannotDraw(
+        {"Nothing was measured.", "", report.notes.isEmpty() ? "" : report.notes.last().toStdString()});
+}
+
+QString sameAgain(int wanted, const QString& what, std::size_t made) {
+    return QStringLiteral("%1 %2 make the same mesh as a size before, of %3: it was not measured again.")
+        .arg(grouped(static_cast<qulonglong>(wanted)), what, grouped(made));
+}
+
 }  // namespace hitscope::bench
 
 namespace hitscope::cli {

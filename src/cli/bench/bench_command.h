@@ -30,4 +30,10 @@ using Measuring = std::function<cli::Outcome(BenchRoom& room, Report& report)>;
 [[nodiscard]] cli::Outcome runBenchmark(const QString& name, const CommonOptions& options, bool drawsPicture,
                                         const Measuring& measuring);
 
+/// Of a benchmark that notes what it leaves out: good, or, where it has left out everything, the last reason.
+[[nodiscard]] cli::Outcome whatCameOf(Report& report);
+/// The note on a size that comes out as one that was measured: two rows of a report must not have the same
+/// keys. `what`: "vertices".
+[[nodiscard]] QString sameAgain(int wanted, const QString& what, std::size_t made);
+
 }  // namespace hitscope::bench

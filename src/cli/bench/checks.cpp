@@ -20,15 +20,6 @@ using Method = HitFigure::Method;
 constexpr int kPaperSphere = 7938;
 constexpr std::uint32_t kSeed = 1;
 
-Result<PipelineKind> pipelineOf(std::string_view key) {
-    for (const PipelineTraits& traits : allPipelines()) {
-        if (traits.key == key) {
-            return traits.kind;
-        }
-    }
-    return Error{"There is no pipeline \"" + std::string(key) + "\".", "", ""};
-}
-
 using Rows = Result<std::vector<CheckRow>>;
 
 Rows oneRow(TimeRatio ratio) {
@@ -98,12 +89,8 @@ HitOptions hitOptions(PipelineKind kind, bool yardsticks) {
 }
 
 /// A hit on larger spheres over one on the paper's, with the read-back that every frame does.
-Rows growth(std::string_view key, const BenchRoom& room, const Plan& plan) {
-    Result<PipelineKind> kind = pipelineOf(key);
-    if (!kind) {
-        return kind.error();
-    }
-    const HitOptions options = hitOptions(kind.value(), false);
+Rows growth(PipelineKind kind, const BenchRoom& room, const Plan& plan) {
+    const HitOptions options = hitOptions(kind, false);
     const std::vector<SizeToMeasure> wanted{
         {kPaperSphere, options}, {100000, options}, {1000000, options}, {4000000, options}};
     Result<std::vector<std::vector<HitFigure>>> sizes = measureSizes(room, wanted, plan);
@@ -112,8 +99,8 @@ Rows growth(std::string_view key, const BenchRoom& room, const Plan& plan) {
     }
     std::vector<CheckRow> rows;
     for (std::size_t i = 1; i < wanted.size(); ++i) {
-        Result<TimeRatio> ratio = ratioOf(findFigure(sizes.value()[i], Method::WithReadBack, kind.value()),
-                                          findFigure(sizes.value()[0], Method::WithReadBack, kind.value()));
+        Result<TimeRatio> ratio = ratioOf(findFigure(sizes.value()[i], Method::WithReadBack, kind),
+                                          findFigure(sizes.value()[0], Method::WithReadBack, kind));
         if (!ratio) {
             return ratio.error();
         }
@@ -254,17 +241,12 @@ Rows inPaperRows(const BenchRoom& room, const Plan& plan, const std::vector<Pipe
 }
 
 /// A frame of this pipeline over one of the uniform array.
-Rows overUniformArray(std::string_view key, const BenchRoom& room, const Plan& plan) {
-    const Result<PipelineKind> kind = pipelineOf(key);
-    if (!kind) {
-        return kind.error();
-    }
-    return inPaperRows(room, plan, {PipelineKind::UniformArray, kind.value()}, true,
-                       [kind = kind.value()](const std::vector<RowFigure>& figures) {
-                           return timeRatioWithRounds(
-                               findFigure(figures, kind)->frames,
-                               findFigure(figures, PipelineKind::UniformArray)->frames);
-                       });
+Rows overUniformArray(PipelineKind kind, const BenchRoom& room, const Plan& plan) {
+    return inPaperRows(
+        room, plan, {PipelineKind::UniformArray, kind}, true, [kind](const std::vector<RowFigure>& figures) {
+            return timeRatioWithRounds(findFigure(figures, kind)->frames,
+                                       findFigure(figures, PipelineKind::UniformArray)->frames);
+        });
 }
 
 Rows arrivingHits(const BenchRoom& room, const Plan& plan) {
@@ -305,49 +287,77 @@ Rows projectiles(const BenchRoom& room, const Plan& plan) {
     return oneRow(timeRatioWithRounds(frames.value()[1], frames.value()[0]));
 }
 
-Rows checkMode(const ViewMode& which, const BenchRoom& room, const Plan& plan) {
-    Result<TimeRatio> cost = modeCost(room, plan, which);
-    return cost ? oneRow(std::move(cost).value()) : Rows(cost.error());
+constexpr PipelineKind kFeedback = PipelineKind::TransformFeedback;
+
+Check sizeCheck(const char* name, const char* about, PipelineKind kind) {
+    return {name,
+            about,
+            2.0,
+            [kind](const BenchRoom& room, const Plan& plan) { return growth(kind, room, plan); },
+            {kind}};
+}
+
+Check arrayCheck(const char* name, const char* about, double atMost, PipelineKind kind) {
+    return {name,
+            about,
+            atMost,
+            [kind](const BenchRoom& room, const Plan& plan) { return overUniformArray(kind, room, plan); },
+            {PipelineKind::UniformArray, kind}};
+}
+
+Check paperWayCheck(const char* name, const char* about, double atMost, int vertices) {
+    return {
+        name,
+        about,
+        atMost,
+        [vertices](const BenchRoom& room, const Plan& plan) { return overPaperWay(vertices, room, plan); },
+        {kFeedback}};
+}
+
+Check modeCheck(const ViewMode& mode) {
+    return {"mode-" + std::string(mode.key),
+            std::string("a frame in the mode / plain shading, 116,256 vertices: ") + mode.name,
+            mode.atMost,
+            [&mode](const BenchRoom& room, const Plan& plan) -> Rows {
+                Result<TimeRatio> cost = modeCost(room, plan, mode);
+                return cost ? oneRow(std::move(cost).value()) : Rows(cost.error());
+            },
+            {kFeedback}};
 }
 
 std::vector<Check> makeChecks() {
-    const auto growthOf = [](const char* key) {
-        return [key](const BenchRoom& room, const Plan& plan) { return growth(key, room, plan); };
-    };
-    const auto overArray = [](const char* key) {
-        return [key](const BenchRoom& room, const Plan& plan) { return overUniformArray(key, room, plan); };
-    };
-    const auto paperWayAt = [](int vertices) {
-        return [vertices](const BenchRoom& room, const Plan& plan) {
-            return overPaperWay(vertices, room, plan);
-        };
-    };
     std::vector<Check> checks{
-        {{"size-transform-feedback", "a hit on up to 4,000,000 vertices / on 7,938, transform feedback", 2.0,
-          growthOf("transform-feedback")},
-         {"size-compute", "the same, compute", 2.0, growthOf("compute")},
-         {"size-reference", "the same, reference", 2.0, growthOf("reference")},
+        {sizeCheck("size-transform-feedback",
+                   "a hit on up to 4,000,000 vertices / on 7,938, transform feedback", kFeedback),
+         sizeCheck("size-compute", "the same, compute", PipelineKind::Compute),
+         sizeCheck("size-reference", "the same, reference", PipelineKind::Reference),
          {"history", "a frame with 10,000 hits in the history / with none, each pipeline that keeps all",
           1.03, history},
          {"beside-form", "hits of the paper's form beside one of another / alone, each pipeline", 1.25,
           besideForms},
-         {"culled",
-          "a frame of uniform array, culled / of uniform array, 600 hits, the paper's rows with high-poly "
-          "meshes",
-          1.0 / 8.0, overArray("uniform-array-culled")},
-         {"paper-way-8k", "a hit on 7,938 vertices, transform feedback / the paper's own way", 1.0 / 10.0,
-          paperWayAt(kPaperSphere)},
-         {"paper-way-1m", "a hit on 1,000,000 vertices, transform feedback / the paper's own way",
-          1.0 / 500.0, paperWayAt(1000000)},
-         {"paper-rows",
-          "a frame of transform feedback / of uniform array, the paper's rows with high-poly meshes",
-          1.0 / 20.0, overArray("transform-feedback")},
+         arrayCheck("culled",
+                    "a frame of uniform array, culled / of uniform array, 600 hits, the paper's rows with "
+                    "high-poly meshes",
+                    1.0 / 8.0, PipelineKind::UniformArrayCulled),
+         paperWayCheck("paper-way-8k", "a hit on 7,938 vertices, transform feedback / the paper's own way",
+                       1.0 / 10.0, kPaperSphere),
+         paperWayCheck("paper-way-1m",
+                       "a hit on 1,000,000 vertices, transform feedback / the paper's own way", 1.0 / 500.0,
+                       1000000),
+         arrayCheck(
+             "paper-rows",
+             "a frame of transform feedback / of uniform array, the paper's rows with high-poly meshes",
+             1.0 / 20.0, kFeedback),
          {"arriving-hits",
-          "a frame with a hit every 10 / with none arriving, transform feedback, the paper's rows", 1.05,
-          arrivingHits},
+          "a frame with a hit every 10 / with none arriving, transform feedback, the paper's rows",
+          1.05,
+          arrivingHits,
+          {kFeedback}},
          {"thousand-hits",
-          "a frame's 1,000 hits / a frame's one hit, transform feedback, the paper's second row", 50.0,
-          thousandHits},
+          "a frame's 1,000 hits / a frame's one hit, transform feedback, the paper's second row",
+          50.0,
+          thousandHits,
+          {kFeedback}},
          {"collider-update", "a collider taking on a hit, up to 2,000,000 triangles / 8,000", 3.0,
           colliderGrowth(&PhysicsFigure::dented)},
          {"hull-update", "the same, a dynamic target's with its hull", 3.0,
@@ -355,11 +365,7 @@ std::vector<Check> makeChecks() {
          {"projectiles", "a frame with 2,000 projectiles and their trails / with none", 2.0, projectiles}}};
     for (const ViewMode& mode : viewModes()) {
         if (&mode != &plainModeOf(mode)) {
-            checks.push_back(
-                {"mode-" + std::string(mode.key),
-                 std::string("a frame in the mode / plain shading, 116,256 vertices: ") + mode.name,
-                 mode.atMost,
-                 [&mode](const BenchRoom& room, const Plan& plan) { return checkMode(mode, room, plan); }});
+            checks.push_back(modeCheck(mode));
         }
     }
     return checks;

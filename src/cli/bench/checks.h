@@ -23,8 +23,10 @@ struct Check {
     std::string name;   ///< "history"
     std::string about;  ///< what over what
     double atMost;      ///< the ratio kept
-    /// Measures it wherever it holds. The error says why it cannot be measured here.
+    /// Measures it wherever it holds; no rows: nothing of it runs here. The error says why it cannot be
+    /// measured though `needs` run.
     std::function<Result<std::vector<CheckRow>>(const BenchRoom&, const Plan&)> measure;
+    std::vector<PipelineKind> needs{};  ///< pipelines that it is about
 };
 
 /// Picture size of the checks that draw, pixels.

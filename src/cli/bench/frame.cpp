@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
 #include "cli/bench/bench_command.h"
 #include "cli/bench/bench_options.h"
 #include "cli/bench/history.h"
@@ -109,6 +111,33 @@ Status measureScene(const BenchRoom& room, const FrameOptions& options, const QS
     return Done{};
 }
 
+/// Those that fit into memory; the others become notes.
+Status measureSpheres(const BenchRoom& room, const FrameOptions& options, Report& report) {
+    // Asked before a sphere is made, which takes long, and for all that will be in memory with it.
+    const double bytesPerVertex =
+        kSphereSceneBytes + kHistorySceneBytes * static_cast<double>(options.hits.size());
+    std::vector<double> measured;  // vertices
+    for (const int vertices : options.vertices) {
+        if (const QString why = whyItDoesNotFit(bytesPerVertex * vertices); !why.isEmpty()) {
+            report.notes << QStringLiteral("%1 vertices are left out: %2. Ask for fewer numbers of hits.")
+                                .arg(grouped(static_cast<qulonglong>(vertices)), why);
+            continue;
+        }
+        room.say(QStringLiteral("making a sphere"));
+        const StillScene scene = sphereScene(vertices);
+        if (std::find(measured.begin(), measured.end(), scene.vertices) != measured.end()) {
+            report.notes << sameAgain(vertices, QStringLiteral("vertices"),
+                                      static_cast<std::size_t>(scene.vertices));
+            continue;
+        }
+        measured.push_back(scene.vertices);
+        if (Status status = measureScene(room, options, QStringLiteral("sphere"), scene, report); !status) {
+            return status;
+        }
+    }
+    return Done{};
+}
+
 cli::Outcome measureFrames(const FrameOptions& options, const BenchRoom& room, Report& report) {
     report.fields = {QStringLiteral("scene"),
                      QStringLiteral("vertices"),
@@ -124,22 +153,12 @@ cli::Outcome measureFrames(const FrameOptions& options, const BenchRoom& room, R
     report.keys = report.fields.first(5);
     report.along = QStringLiteral("hits");
     report.notes = frameNotes(options.gentle);
-    Status status = Done{};
-    if (options.vertices.empty()) {
-        const QString name = paperRows()[static_cast<std::size_t>(options.row)].label();
-        status = measureScene(room, options, name, paperRowScene(options.row), report);
-    }
-    for (std::size_t i = 0; status && i < options.vertices.size(); ++i) {
-        const int vertices = options.vertices[i];
-        if (const QString why = whyItDoesNotFit(kSphereSceneBytes * vertices); !why.isEmpty()) {
-            report.notes << QStringLiteral("%1 vertices are left out: %2.")
-                                .arg(grouped(static_cast<qulonglong>(vertices)), why);
-            continue;
-        }
-        room.say(QStringLiteral("making a sphere"));
-        status = measureScene(room, options, QStringLiteral("sphere"), sphereScene(vertices), report);
-    }
-    return status ? cli::Outcome(Done{}) : cli::cannotDraw(status.error());
+    const Status status =
+        options.vertices.empty()
+            ? measureScene(room, options, paperRows()[static_cast<std::size_t>(options.row)].label(),
+                           paperRowScene(options.row), report)
+            : measureSpheres(room, options, report);
+    return status ? whatCameOf(report) : cli::cannotDraw(status.error());
 }
 
 int runFrame(Invocation& given) {

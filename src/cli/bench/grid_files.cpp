@@ -90,6 +90,11 @@ void writeVertices(PieceWriter& out, const Sheet& sheet) {
 
 }  // namespace
 
+std::size_t gridVertices(int quads) {
+    const Sheet sheet = sheetOf(quads);
+    return (static_cast<std::size_t>(sheet.wide) + 1) * (static_cast<std::size_t>(sheet.high) + 1);
+}
+
 Status writeGridObj(const QString& path, int quads) {
     const Sheet sheet = sheetOf(quads);
     PieceWriter out(path);

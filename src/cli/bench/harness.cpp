@@ -79,12 +79,7 @@ double Samples::most() const {
 
 TimeRatio timeRatioWithRounds(const Samples& a, const Samples& b) {
     TimeRatio ratio;
-    if (a.size() != b.size()) {
-        ratio.value = b.median() > 0.0 ? a.median() / b.median() : 0.0;
-        ratio.rounds.add(ratio.value);
-        return ratio;
-    }
-    for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
         if (b.values()[i] > 0.0) {
             ratio.rounds.add(a.values()[i] / b.values()[i]);
         }
@@ -95,6 +90,10 @@ TimeRatio timeRatioWithRounds(const Samples& a, const Samples& b) {
 
 double timeRatio(const Samples& a, const Samples& b) {
     return timeRatioWithRounds(a, b).value;
+}
+
+double ratioOfMedians(const Samples& a, const Samples& b) {
+    return b.median() > 0.0 ? a.median() / b.median() : 0.0;
 }
 
 double steadySeconds() {

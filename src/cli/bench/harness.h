@@ -46,17 +46,20 @@ private:
     std::vector<double> m_values;
 };
 
-/// How many times as long `a` takes as `b`: where both were sampled equally often, the median over the rounds
-/// of the quotient within a round, in which both saw the same machine; else the quotient of the medians. 0
-/// when either is empty.
+/// How many times as long `a` takes as `b`, which were measured together: the median over the rounds of the
+/// quotient within a round, in which both saw the same machine. A slow variant drops out of the later rounds,
+/// so only those count that both were in. 0 when either is empty.
 [[nodiscard]] double timeRatio(const Samples& a, const Samples& b);
 
 /// A timeRatio() and where it comes from.
 struct TimeRatio {
     double value = 0.0;
-    Samples rounds;  ///< the quotients within a round; where there are no rounds, the value alone
+    Samples rounds;  ///< the quotients within a round
 };
 [[nodiscard]] TimeRatio timeRatioWithRounds(const Samples& a, const Samples& b);
+/// The same of two that were measured one after the other: they have no rounds in common. 0 when either is
+/// empty.
+[[nodiscard]] double ratioOfMedians(const Samples& a, const Samples& b);
 
 /// Seconds on a clock that does not go back.
 using Clock = std::function<double()>;

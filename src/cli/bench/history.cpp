@@ -21,10 +21,6 @@ DeformationConstants hitConstants(bool gentle) {
     return constants;
 }
 
-/// A session, its copies of the vertices, and its buffers; measured with 1,000,000 vertices, and a little
-/// more.
-constexpr double kBytesPerVertex = 400.0;
-
 double verticesOf(std::span<const TargetPlan> plans) {
     double vertices = 0.0;
     for (const TargetPlan& plan : plans) {
@@ -48,17 +44,17 @@ StillScene sphereScene(int vertices) {
 
 Result<std::vector<HistoryFigure>> measureHistories(const BenchRoom& room, const StillScene& scene,
                                                     const HistoryOptions& options, const QString& what) {
-    const double bytes = kBytesPerVertex * scene.vertices * static_cast<double>(options.hits.size());
-    if (const QString why = whyItDoesNotFit(bytes); !why.isEmpty()) {
-        return Error{"This is left out: " + why.toStdString() + ".", what.toStdString(),
-                     "Ask for fewer numbers of hits at once."};
-    }
     std::vector<HistoryFigure> figures;
     for (const int hits : options.hits) {
         figures.push_back({hits, false, 0, {}});
         if (options.besideForm && hits > 0) {
             figures.push_back({hits, true, 0, {}});
         }
+    }
+    const double bytes = kHistorySceneBytes * scene.vertices * static_cast<double>(figures.size());
+    if (const QString why = whyItDoesNotFit(bytes); !why.isEmpty()) {
+        return Error{"This is left out: " + why.toStdString() + ".", what.toStdString(),
+                     "Ask for fewer numbers of hits at once."};
     }
     std::vector<std::unique_ptr<Scene>> scenes;
     std::vector<Variant> variants;

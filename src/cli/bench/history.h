@@ -17,6 +17,9 @@ struct StillScene {
 [[nodiscard]] StillScene sphereScene(int vertices);
 /// Memory that making it takes for each vertex, bytes.
 inline constexpr double kSphereSceneBytes = 500.0;
+/// Memory for each vertex and length of the history, bytes: a session, its copies of the vertices, and its
+/// buffers. Measured with 1,000,000 vertices, and a little more.
+inline constexpr double kHistorySceneBytes = 400.0;
 
 struct HistoryOptions {
     PipelineKind pipeline = PipelineKind::TransformFeedback;

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <optional>
+
 #include "cli/bench/bench_command.h"
 #include "cli/bench/bench_options.h"
 #include "cli/bench/hit_size.h"
@@ -83,27 +86,34 @@ Table tableOf(const MeasuredSize& size) {
     return table;
 }
 
-/// Each method's time a hit over that on the first size.
-Table growthTable(const std::vector<MeasuredSize>& sizes) {
+/// Each method's time a hit over that on the first size, with so many hits a frame where a method has those.
+Table growthTable(const std::vector<MeasuredSize>& sizes, int hitsAFrame) {
     Table table;
-    table.title = QStringLiteral("Time a hit over that on %1 vertices, one hit a frame")
-                      .arg(grouped(sizes.front().vertices));
+    table.title = QStringLiteral("Time a hit over that on %1 vertices, %2 a frame")
+                      .arg(grouped(sizes.front().vertices),
+                           hitsAFrame == 1
+                               ? QStringLiteral("one hit")
+                               : QStringLiteral("%1 hits").arg(grouped(static_cast<qulonglong>(hitsAFrame))));
     table.columns << QStringLiteral("method");
     for (const MeasuredSize& size : sizes) {
         table.columns << grouped(size.vertices);
     }
     for (const HitFigure& first : sizes.front().figures) {
-        if (first.hitsAFrame != sizes.front().figures.front().hitsAFrame) {
+        const bool isYardstick = first.method == Method::PaperFeedback || first.method == Method::Copy;
+        if (!isYardstick && first.hitsAFrame != hitsAFrame) {
             continue;
         }
         QStringList cells{methodName(first)};
         for (const MeasuredSize& size : sizes) {
             const HitFigure* figure =
                 findFigure(size.figures, first.method, first.pipeline, first.hitsAFrame);
-            cells << times(figure != nullptr ? timeRatio(figure->hits, first.hits) : 0.0);
+            cells << times(figure != nullptr ? ratioOfMedians(figure->hits, first.hits) : 0.0);
         }
         table.rows.push_back(cells);
     }
+    table.notes << QStringLiteral(
+        "The sizes were measured one after the other: where the machine was slower meanwhile, that is in "
+        "here too.");
     return table;
 }
 
@@ -131,7 +141,8 @@ QStringList hitNotes() {
                 "done; before it the sphere is made whole. Affected: vertices a hit moves, counted."),
             QStringLiteral(
                 "Hits on finer spheres are smaller in all directions, so that they move as many vertices. "
-                "CPU follows: what changed is read back as well, as the window does it."),
+                "CPU follows: what changed is read back as well, frame after frame as in the window, and a "
+                "sample ends when all of it has arrived."),
             QStringLiteral(
                 "The paper's own way: capture all vertices, read all back, replace the modified, upload "
                 "all. memcpy: the affected vertices' 24 bytes each; nothing that moves them is faster."),
@@ -140,21 +151,33 @@ QStringList hitNotes() {
                 "frame measures it.")};
 }
 
-Result<MeasuredSize> measureSize(const BenchRoom& room, int vertices, const HitCommandOptions& options,
-                                 QStringList& notes) {
+/// Different numbers may stand for the same sphere.
+bool isAmong(const std::vector<MeasuredSize>& sizes, std::size_t vertices) {
+    return std::any_of(sizes.begin(), sizes.end(),
+                       [vertices](const MeasuredSize& size) { return size.vertices == vertices; });
+}
+
+/// Nothing where that sphere is among those that were measured `before`.
+Result<std::optional<MeasuredSize>> measureSize(const BenchRoom& room, int vertices,
+                                                const HitCommandOptions& options,
+                                                const std::vector<MeasuredSize>& before, QStringList& notes) {
     const QString what = QStringLiteral("%1 vertices").arg(grouped(static_cast<qulonglong>(vertices)));
     room.say(what + QStringLiteral(": making the sphere"));
     Result<std::unique_ptr<HitSizeBench>> bench = HitSizeBench::create(room, vertices, options.hits);
     if (!bench) {
         return bench.error();
     }
+    if (isAmong(before, bench.value()->vertexCount())) {
+        notes << sameAgain(vertices, QStringLiteral("vertices"), bench.value()->vertexCount());
+        return std::optional<MeasuredSize>();
+    }
     notes << bench.value()->notes();
     Result<std::vector<Samples>> samples = room.measure(what, bench.value()->variants(), options.common.plan);
     if (!samples) {
         return samples.error();
     }
-    return MeasuredSize{bench.value()->vertexCount(), bench.value()->constants(),
-                        bench.value()->figures(samples.value())};
+    return std::optional(MeasuredSize{bench.value()->vertexCount(), bench.value()->constants(),
+                                      bench.value()->figures(samples.value())});
 }
 
 cli::Outcome measureHits(const HitCommandOptions& options, const BenchRoom& room, Report& report) {
@@ -176,25 +199,22 @@ cli::Outcome measureHits(const HitCommandOptions& options, const BenchRoom& room
     report.notes = hitNotes();
     std::vector<MeasuredSize> sizes;
     for (const int vertices : options.vertices) {
-        Result<MeasuredSize> size = measureSize(room, vertices, options, report.notes);
-        if (!size) {
-            report.notes << QString::fromStdString(size.error().message());
-            continue;
+        Result<std::optional<MeasuredSize>> measured =
+            measureSize(room, vertices, options, sizes, report.notes);
+        if (!measured) {
+            report.notes << QString::fromStdString(measured.error().message());
+        } else if (measured.value()) {
+            const MeasuredSize& size = sizes.emplace_back(std::move(*measured.value()));
+            report.tables.push_back(tableOf(size));
+            for (const HitFigure& figure : size.figures) {
+                report.records.push_back(record(size, figure));
+            }
         }
-        report.tables.push_back(tableOf(size.value()));
-        for (const HitFigure& figure : size.value().figures) {
-            report.records.push_back(record(size.value(), figure));
-        }
-        sizes.push_back(std::move(size).value());
-    }
-    if (sizes.empty()) {
-        return cli::cannotDraw({"No size could be measured.", "", report.notes.last().toStdString()});
     }
     if (sizes.size() > 1) {
-        report.tables.push_back(growthTable(sizes));
+        report.tables.push_back(growthTable(sizes, options.hits.hitsAFrame.front()));
     }
-    report.notes.removeDuplicates();
-    return Done{};
+    return whatCameOf(report);
 }
 
 int runHit(Invocation& given) {
@@ -223,7 +243,9 @@ cli::Verb hitVerb() {
                                            "to the paper's method and memcpy."),
              .options =
                  QList<UsageOption>{
-                     valueOption("vertices", "LIST", QStringLiteral("Sizes; K is a thousand, M a million."),
+                     valueOption("vertices", "LIST",
+                                 QStringLiteral("Sizes, measured one after the other; K is a thousand, M a "
+                                                "million."),
                                  QStringLiteral("7938,100K,1M,4M,10M")),
                      valueOption("affected", "NUMBER",
                                  QStringLiteral("Approximate number of vertices that a hit moves."),

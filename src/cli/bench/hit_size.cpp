@@ -172,6 +172,9 @@ Variant HitSizeBench::Private::pipelineVariant(Entrant& entrant, int hitsAFrame,
                 entry->pollReadBack();
             }
         }
+        if (method == Method::WithReadBack) {
+            entry->readBack();  // a poll asks for so many vertices at most, and takes only what has arrived
+        }
         gl::finish();
         return Done{};
     };
@@ -224,6 +227,12 @@ Variant HitSizeBench::Private::copyVariant() {
         return Done{};
     };
     return variant;
+}
+
+bool HitSizeBench::isReadBackPending() const {
+    return std::any_of(d->entrants.begin(), d->entrants.end(), [](const std::unique_ptr<Entrant>& entrant) {
+        return entrant->pipeline->isReadBackPending();
+    });
 }
 
 // A uniform array is read back by computing every vertex anew, as it is drawn: that is a frame's cost, not a

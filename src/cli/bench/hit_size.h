@@ -13,7 +13,7 @@ struct HitOptions {
     std::vector<PipelineKind> pipelines;
     std::vector<int> hitsAFrame{1};
     double affected = 80.0;  ///< vertices a hit is to reach
-    bool readBack = true;    ///< measure with the CPU's copy brought up to date as well
+    bool readBack = true;    ///< measure with what changed read back as well
     /// The last hit of each frame has another form than the paper's.
     bool besideForm = false;
     bool yardsticks = true;  ///< measure the paper's own way and memcpy as well
@@ -23,8 +23,8 @@ struct HitOptions {
 /// What was measured on one mesh.
 struct HitFigure {
     enum class Method : std::uint8_t {
-        Pipeline,       ///< append(), until the GPU is done
-        WithReadBack,   ///< and the CPU's copy following, frame after frame, as the window has it do
+        Pipeline,      ///< append(), until the GPU is done
+        WithReadBack,  ///< and what changed read back, frame after frame as in the window, until all is there
         PaperFeedback,  ///< the paper's own way, see paper_feedback.h
         Copy            ///< memcpy of the affected vertices' bytes: nothing that moves them can be faster
     };
@@ -55,6 +55,8 @@ public:
     [[nodiscard]] std::vector<Variant> variants();
     /// `samples` is what they gave, in their order.
     [[nodiscard]] std::vector<HitFigure> figures(std::span<const Samples> samples) const;
+    /// Whether something that hits changed is not on the CPU yet.
+    [[nodiscard]] bool isReadBackPending() const;
 
 private:
     HitSizeBench();

@@ -14,6 +14,7 @@
 #include "cli/bench/grid_files.h"
 #include "cli/bench/other_readers.h"
 #include "cli/bench/random_hits.h"
+#include "cli/bench/window/bound_process.h"
 #include "core/process_memory.h"
 #include "io/import.h"
 #include "scene/picture.h"
@@ -110,6 +111,7 @@ private:
 Result<double> peakOfPicture(const IoSizes& sizes, const QString& folder, const QString& mesh) {
     constexpr int kLook = 20;  // milliseconds
     QProcess program;
+    bindToThis(program);
     program.setStandardInputFile(QProcess::nullDevice());
     program.start(QCoreApplication::applicationFilePath(),
                   {QStringLiteral("picture"), QStringLiteral("--size"),

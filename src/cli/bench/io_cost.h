@@ -12,12 +12,12 @@ struct IoFigures {
     Samples tiny;     ///< tinyobjloader alone parses the OBJ file
     Samples assimp;   ///< Assimp does
     Samples coarse;   ///< Hitscope, from the file to the coarse picture that the window shows meanwhile
-    Samples picture;  ///< Hitscope, from the file to the picture
+    Samples picture;  ///< Hitscope, from the file to the full picture
     Samples copy;     ///< cp and sync of the OBJ file, in turn with:
     Samples exportFew;
     Samples copyAgain;  ///< likewise
     Samples exportAll;
-    Samples ply;             ///< a binary PLY to the first picture; empty: left out
+    Samples ply;             ///< a binary PLY to the full picture; empty: left out
     double peakBytes = 0.0;  ///< of a program that draws the OBJ file and its import worker, together
 };
 

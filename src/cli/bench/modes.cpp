@@ -46,6 +46,11 @@ cli::Outcome measureModes(const CommonOptions& options, int row, const BenchRoom
                      QStringLiteral("at_most")};
     report.keys = report.fields.first(2);
     for (const PipelineKind pipeline : options.pipelines) {
+        if (Result<std::unique_ptr<DeformationPipeline>> made = room.makePipeline(pipeline); !made) {
+            report.notes << QStringLiteral("%1 cannot run here: %2")
+                                .arg(pipelineName(pipeline), QString::fromStdString(made.error().message()));
+            continue;
+        }
         ModesScene scene(room.picture());
         if (Status status = scene.open(row, pipeline, options.seed); !status) {
             return cli::cannotDraw(status.error());
@@ -62,7 +67,7 @@ cli::Outcome measureModes(const CommonOptions& options, int row, const BenchRoom
                  QStringLiteral("%1, %2 vertices")
                      .arg(paperRows()[static_cast<std::size_t>(row)].label(), grouped(scene.vertices())));
     }
-    return Done{};
+    return whatCameOf(report);
 }
 
 int runModes(Invocation& given) {

@@ -86,7 +86,7 @@ cli::Outcome measurePaper(const PaperOptions& options, BenchRoom& room, Report& 
     room.setTold({});  // which looks at the rows
     report.notes = paperNotes(bench);
     addPaperRows(report, rows);
-    return Done{};
+    return whatCameOf(report);
 }
 
 QStringList textureKeys() {
@@ -133,7 +133,8 @@ cli::Verb paperVerb() {
                              QStringLiteral("none")),
                  valueOption("rows", "LIST", QStringLiteral("Rows of the tables, 1 to 9."),
                              QStringLiteral("1,2,3,4,5,6,7,8,9")),
-                 valueOption("hit-every", "N", QStringLiteral("Frames between two hits; 0: no hits."),
+                 valueOption("hit-every", "N",
+                             QStringLiteral("Frames between two hits that arrive; 0: none arrive."),
                              QStringLiteral("10")),
                  flagOption("progress",
                             QStringLiteral(

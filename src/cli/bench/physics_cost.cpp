@@ -15,7 +15,7 @@ namespace hitscope::bench {
 namespace {
 
 constexpr TargetId kTarget{1};
-constexpr std::uint32_t kSeed = 1;
+constexpr std::uint32_t kPhysicsSeed = 1;
 constexpr int kVolley = 1;  // they pass through each other: only the target is struck
 constexpr int kStepsOfFlight = 60;
 constexpr std::size_t kHitsASample = 16;
@@ -98,7 +98,7 @@ public:
           m_hits({{kTarget, mesh.render.get()}},
                  constantsReaching(kDentVertices, static_cast<double>(mesh.render->vertices.size()),
                                    static_cast<double>(kSphereRadius)),
-                 kSeed) {}
+                 kPhysicsSeed) {}
 
     Status open() {
         makeWhole();

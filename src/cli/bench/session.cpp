@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What it costs to keep a session: files, the journal, the steps to undo.
-#include <QTemporaryDir>
-
 #include "cli/bench/bench_command.h"
 #include "cli/bench/bench_options.h"
 #include "cli/bench/session_cost.h"
+#include "cli/standard_streams.h"
 
 namespace hitscope::bench {
 
@@ -68,10 +67,9 @@ void addSession(const SessionFigures& figures, const SessionOptions& options, Re
 }
 
 cli::Outcome measureKeeping(const SessionOptions& options, Report& report) {
-    const QTemporaryDir folder;
-    if (!folder.isValid()) {
-        return Error{"There is no room for temporary files.", folder.path().toStdString(),
-                     "Set TMPDIR to a folder you may write to."};
+    const cli::ScratchFolder folder;
+    if (Status made = folder.check(); !made) {
+        return made;
     }
     const Result<SessionFigures> figures =
         measureSession(static_cast<std::size_t>(options.hits), folder.path(), options.common.plan);

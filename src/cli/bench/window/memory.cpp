@@ -36,11 +36,16 @@ void addMemory(Report& report, const MemoryFigures& figures) {
     for (const MemoryRow& row : figures.rows) {
         table.rows.push_back({row.about, bytesText(row.share), bytesText(row.resident),
                               row.ofMesh ? shortNumber(row.share / figures.meshBytes) : QString()});
-        report.records.push_back({{QStringLiteral("vertices"), static_cast<qint64>(figures.vertices)},
-                                  {QStringLiteral("hits"), static_cast<qint64>(figures.hits)},
-                                  {QStringLiteral("measured"), row.measured},
-                                  {QStringLiteral("share"), row.share},
-                                  {QStringLiteral("resident"), row.resident}});
+        QJsonObject& record = report.records.emplace_back(
+            QJsonObject{{QStringLiteral("vertices"), static_cast<qint64>(figures.vertices)},
+                        {QStringLiteral("hits"), static_cast<qint64>(figures.hits)},
+                        {QStringLiteral("measured"), row.measured},
+                        {QStringLiteral("share"), row.share},
+                        {QStringLiteral("resident"), row.resident}});
+        if (row.share > 0.0) {  // a few hits may seem to take nothing, or less
+            record.insert(QStringLiteral("runs"), QJsonArray{row.share});
+            record.insert(QStringLiteral("unit"), QStringLiteral("B"));
+        }
     }
     report.tables.push_back(std::move(table));
 }
@@ -62,7 +67,7 @@ cli::Outcome runMemory(const MemoryRequest& request) {
     report.notes << QStringLiteral(
         "PSS is the window's share of what is in memory, RSS all that it maps. A software renderer's "
         "buffers and textures are part of both; a GPU's are not.");
-    for (const int vertices : request.vertices) {
+    for (const int vertices : differentSheets(request.vertices, report.notes)) {
         const Result<MemoryFigures> figures = measureWindowMemory(*room.value(), {vertices, request.hits});
         if (!figures) {
             return cli::cannotDraw(figures.error());

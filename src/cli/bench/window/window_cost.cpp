@@ -2,13 +2,13 @@
 #include "cli/bench/window/window_cost.h"
 
 #include <QJsonArray>
-#include <QTemporaryDir>
 #include <algorithm>
 #include <cmath>
 #include <functional>
 
-#include "cli/bench/bench_room.h"
+#include "cli/bench/bench_command.h"
 #include "cli/bench/grid_files.h"
+#include "cli/standard_streams.h"
 
 namespace hitscope::bench {
 
@@ -25,19 +25,22 @@ Samples samplesOf(const QJsonValue& values) {
     return samples;
 }
 
+int quadsOf(int vertices) {
+    const double side = std::sqrt(static_cast<double>(vertices)) - 1.0;  // quads
+    return static_cast<int>(std::lround(side * side));
+}
+
 Result<QJsonObject> measureSheet(const WindowRoom& room, const QString& what, int vertices,
                                  const QStringList& options) {
     if (const QString why = whyItDoesNotFit(kBytesPerVertex * vertices); !why.isEmpty()) {
         return Error{"This is left out: " + why.toStdString() + ".", "", "Ask for fewer --vertices."};
     }
-    const QTemporaryDir folder;
-    if (!folder.isValid()) {
-        return Error{"There is no room for temporary files.", folder.path().toStdString(),
-                     "Set TMPDIR to a folder you may write to."};
+    const cli::ScratchFolder folder;
+    if (Status made = folder.check(); !made) {
+        return made.error();
     }
-    const QString mesh = folder.filePath(QStringLiteral("sheet.obj"));
-    const double side = std::sqrt(static_cast<double>(vertices)) - 1.0;  // quads
-    if (Status written = writeGridObj(mesh, static_cast<int>(std::lround(side * side))); !written) {
+    const QString mesh = folder.file(QStringLiteral("sheet.obj"));
+    if (Status written = writeGridObj(mesh, quadsOf(vertices)); !written) {
         return written.error();
     }
     return room.measure(what, mesh, options);
@@ -55,6 +58,20 @@ auto* findIn(const Figures& figures, const QString& measured) {
 }
 
 }  // namespace
+
+std::vector<int> differentSheets(const std::vector<int>& vertices, QStringList& notes) {
+    std::vector<int> kept;
+    for (const int wanted : vertices) {
+        const std::size_t made = gridVertices(quadsOf(wanted));
+        if (std::any_of(kept.begin(), kept.end(),
+                        [made](int before) { return gridVertices(quadsOf(before)) == made; })) {
+            notes << sameAgain(wanted, QStringLiteral("vertices"), made);
+            continue;
+        }
+        kept.push_back(wanted);
+    }
+    return kept;
+}
 
 const LatencyRow* findRow(const LatencyFigures& figures, const QString& measured) {
     return findIn(figures, measured);

@@ -4,6 +4,7 @@
 #include <QJsonObject>
 #include <QSize>
 #include <QString>
+#include <QStringList>
 #include <cstddef>
 #include <vector>
 
@@ -15,6 +16,9 @@ namespace hitscope::bench {
 inline constexpr int kLeastSheet = 100;         ///< vertices
 inline constexpr int kMostSheet = 20'000'000;   ///< vertices
 inline constexpr int kMostScattered = 100'000;  ///< hits
+
+/// Those numbers of vertices that make different sheets; what is left out is noted.
+[[nodiscard]] std::vector<int> differentSheets(const std::vector<int>& vertices, QStringList& notes);
 
 struct LatencyRow {
     QString measured;  ///< "undo key to picture"

@@ -8,13 +8,8 @@
 #include <QProcessEnvironment>
 #include <QStandardPaths>
 
-#ifdef Q_OS_LINUX
-#include <sys/prctl.h>
-
-#include <csignal>
-#endif
-
 #include "cli/bench/report_header.h"
+#include "cli/bench/window/bound_process.h"
 #include "gl/context.h"
 
 namespace hitscope::bench {
@@ -22,15 +17,6 @@ namespace hitscope::bench {
 namespace {
 
 constexpr int kServerPatience = 30'000;  // milliseconds
-
-/// It ends with this program, however that ends.
-void bindToThis(QProcess& process) {
-#ifdef Q_OS_LINUX
-    process.setChildProcessModifier([] { prctl(PR_SET_PDEATHSIG, SIGTERM); });
-#else
-    Q_UNUSED(process)
-#endif
-}
 
 bool isDisplayAtHand() {
     return !qEnvironmentVariableIsEmpty("DISPLAY") || !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY");
