@@ -171,7 +171,7 @@ std::vector<MovedVertex> movedOf(const Target& target) {
 
 Outcome describeSession(const QString& path, JsonReport& report, QTextStream& out) {
     OpenedScene scene;
-    if (Outcome opened = scene.open({.path = path}); !opened) {
+    if (Outcome opened = scene.open({.path = path, .hasPipelineOption = false}); !opened) {
         return opened;
     }
     const Session& session = scene.session();

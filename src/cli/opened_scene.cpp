@@ -142,7 +142,8 @@ Outcome OpenedScene::open(const SceneWish& wish) {
         return cannotDraw(std::move(error));
     }
     if (wish.pipeline || !pipelineTraits(wanted).keepsAll) {
-        error.advice += " Or choose --pipeline reference, which works without OpenGL.";
+        error.advice +=
+            wish.hasPipelineOption ? " Or choose --pipeline reference, which needs no OpenGL." : "";
         return cannotDraw(std::move(error));
     }
     note(QStringLiteral("note: %1 Using the reference instead, which needs none.")
@@ -176,16 +177,19 @@ Outcome OpenedScene::openWithReference(const SceneWish& wish) {
         m_session->hits().show(wish.until);
     }
     m_session->settings().setPipeline(PipelineKind::Reference);
+    m_pipeline = wish.pipeline.value_or(m_prepared ? m_prepared->document.simulation.pipeline : m_pipeline);
     return sync();
 }
 
 Outcome OpenedScene::use(PipelineKind kind) {
     const Status used = usePipeline(*m_session, *m_gpu, kind);
+    m_pipeline = m_session->settings().pipeline();
     return used ? Outcome(Done{}) : cannotDraw(used.error());
 }
 
 Outcome OpenedScene::useAsked(std::optional<PipelineKind> asked) {
     const Status used = useAskedPipeline(*m_session, *m_gpu, asked);
+    m_pipeline = m_session->settings().pipeline();
     return used ? Outcome(Done{}) : cannotDraw(used.error());
 }
 

@@ -25,6 +25,7 @@ struct SceneWish {
     std::optional<PipelineKind> pipeline = {};
     std::optional<std::size_t> until = {};  ///< only the first so many hits; nothing: all
     bool isMeshAlone = false;               ///< of a mesh, that is not shot at: nothing follows its hits
+    bool hasPipelineOption = true;          ///< the verb has --pipeline
     bool isDrawn = false;               ///< or applied by several pipelines: takes OpenGL, and has a gpu()
     CoordinateChange coordinates = {};  ///< of a mesh, before all else
 };
@@ -51,6 +52,8 @@ public:
     [[nodiscard]] Session& session() { return *m_session; }
     [[nodiscard]] const Session& session() const { return *m_session; }
     [[nodiscard]] SceneGpu& gpu() { return *m_gpu; }
+    /// Where the reference stands in for another one, the other.
+    [[nodiscard]] PipelineKind pipeline() const { return m_pipeline; }
     /// As the file has it; null: it is no session.
     [[nodiscard]] const SessionDocument* document() const {
         return m_prepared ? &m_prepared->document : nullptr;
@@ -71,6 +74,7 @@ private:
     // Below the session and the context, so that they go first. One of them, or none of a mesh alone.
     std::unique_ptr<SceneGpu> m_gpu;
     std::unique_ptr<ReferenceScene> m_reference;
+    PipelineKind m_pipeline = PipelineKind::TransformFeedback;
 };
 
 }  // namespace hitscope::cli

@@ -212,8 +212,9 @@ Outcome writeFiles(OpenedScene& scene, const ShootOptions& options, const ShotSc
         }
     }
     if (!options.sessionPath.isEmpty()) {
-        if (Status saved = writeSession(captureSession(session, viewOf(scene)), options.sessionPath);
-            !saved) {
+        SessionDocument document = captureSession(session, viewOf(scene));
+        document.simulation.pipeline = scene.pipeline();
+        if (Status saved = writeSession(std::move(document), options.sessionPath); !saved) {
             return saved;
         }
     }

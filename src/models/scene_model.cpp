@@ -15,7 +15,7 @@ SceneModel::SceneModel(Session& session, QObject* parent) : QAbstractTableModel(
     connect(&session.targets(), &SessionTargets::changed, this, &SceneModel::refresh);
     connect(&session.hits(), &SessionHits::appended, this, &SceneModel::countNewHits);
     connect(&session.hits(), &SessionHits::rearranged, this, &SceneModel::recountHits);
-    connect(&session.hits(), &SessionHits::changed, this, &SceneModel::recountHits);  // also of their target
+    connect(&session.hits(), &SessionHits::changed, this, &SceneModel::followHits);
     reset();
 }
 
@@ -69,6 +69,15 @@ void SceneModel::countNewHits() {
     }
     if (!m_rows.empty()) {
         Q_EMIT dataChanged(index(0, HitsColumn), index(rowCount() - 1, HitsColumn));
+    }
+}
+
+/// Hits on a mesh that took another's place are on a target that has none yet.
+void SceneModel::followHits(int first, int last) {
+    const std::span<const Hit> hits = m_session.hits().history().hits();
+    const auto isNew = [this](const Hit& hit) { return hitsOn(hit.target) == 0; };
+    if (std::any_of(hits.begin() + first, hits.begin() + last + 1, isNew)) {
+        recountHits();
     }
 }
 

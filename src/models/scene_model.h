@@ -57,6 +57,7 @@ private:
     void refresh(TargetId target);
     void countNewHits();
     void recountHits();
+    void followHits(int first, int last);
     [[nodiscard]] QString text(const Target& target, int column) const;
     [[nodiscard]] QString toolTip(const Target& target, int column) const;
     [[nodiscard]] std::size_t hitsOn(TargetId target) const;

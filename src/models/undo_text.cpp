@@ -28,7 +28,7 @@ constexpr Words kWords[] = {
     {SessionUndo::Kind::Hit, TEXT("Hit"), TEXT("%Ln Hits")},
     {SessionUndo::Kind::Remove, TEXT("Remove Hit"), TEXT("Remove %Ln Hits")},
     {SessionUndo::Kind::Clear, TEXT("Clear Hit"), TEXT("Clear %Ln Hits")},
-    {SessionUndo::Kind::Move, TEXT("Move Hit"), TEXT("Move %Ln Hits")},
+    {SessionUndo::Kind::Move, TEXT("Reorder Hit"), TEXT("Reorder %Ln Hits")},
     {SessionUndo::Kind::Enable, TEXT("Enable Hit"), TEXT("Enable %Ln Hits")},
     {SessionUndo::Kind::Disable, TEXT("Disable Hit"), TEXT("Disable %Ln Hits")},
     {SessionUndo::Kind::EditHit, TEXT("Edit Hit"), TEXT("Edit %Ln Hits")},

@@ -306,10 +306,11 @@ Status Renderer::Private::drawPicture(const FrameContext& context, DeformationPi
                                       GLuint framebuffer, const DrawnPixels* within) {
     const bool isFirst = context.part.isFirst();
     const bool isWiped = context.frame.options.beforeAfter.wipe;
-    if (Status status =
-            isWiped && context.shadows != nullptr ? updateOriginalShadows(context) : Status(Done{});
-        !status) {
-        return status;
+    // A map that was never drawn is warmed up with.
+    if (isWiped && context.shadows != nullptr && context.shadows->direction() != glm::vec3(0.0f)) {
+        if (Status status = updateOriginalShadows(context); !status) {
+            return status;
+        }
     }
     prepareFramebuffer(context.frame, framebuffer, within, isFirst ? Before::Goes : Before::Stays);
     startSolid();

@@ -71,9 +71,10 @@ struct Renderer::Private {
     /// those of a place that is looked from again are kept while the camera alone moves. The last is of all
     /// other places.
     std::vector<render::ShadowMap> sampleShadows;
-    // Left of a wipe's line: of a frame, and of a sample.
+    // Left of a wipe's line: of a frame, of a coarse one, and of a sample.
     render::OriginalShape originalShape;
     render::ShadowMap originalShadows{software};
+    render::ShadowMap originalCoarseShadows{software};
     render::ShadowMap originalSampleShadows{software, render::ShadowMap::Edges::Sampled};
     gl::Sampler sampleTextures;  ///< made with the first sample that needs it
     render::Studio studio;

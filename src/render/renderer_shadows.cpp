@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which shadow map a picture takes.
+#include <algorithm>
+
 #include "render/ghost_pass.h"
 #include "render/renderer_private.h"
 
@@ -43,13 +45,17 @@ bool Renderer::isPrepared(const Frame& given, const DeformationPipeline& pipelin
 }
 
 ShadowMap& Renderer::Private::originalShadowsFor(const ShadowMap& map) {
-    return map.edges() == ShadowMap::Edges::Sampled ? originalSampleShadows : originalShadows;
+    return &map == &coarseShadows                     ? originalCoarseShadows
+           : map.edges() == ShadowMap::Edges::Sampled ? originalSampleShadows
+                                                      : originalShadows;
 }
 
 /// The originals' shadows from the same place on the light.
 Status Renderer::Private::updateOriginalShadows(const FrameContext& context) {
     OriginalFrame originals(context.frame);
     originals.frame.lights.directional.direction = context.shadows->direction();
+    // Hits do not move them; other targets are other casters.
+    originals.frame.meshRevision = std::min<std::uint64_t>(originals.frame.meshRevision, 1);
     return originalShadowsFor(*context.shadows).update(contextOf(originals.frame), originalShape);
 }
 

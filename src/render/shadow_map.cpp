@@ -7,7 +7,9 @@
 #include <glm/ext/matrix_clip_space.hpp>
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 #include <string>
+#include <utility>
 
 #include "deform/cluster_reach.h"
 #include "render/drawn_bounds.h"
@@ -58,6 +60,11 @@ Bounds originalsSeen(const Frame& frame, const glm::mat4& view) {
     return seen;
 }
 
+bool bulges(const Bounds& drawn, const Bounds& original) {
+    return glm::any(glm::lessThan(drawn.min, original.min)) ||
+           glm::any(glm::greaterThan(drawn.max, original.max));
+}
+
 float extentOf(const Bounds& seen) {
     return std::max({seen.size().x, seen.size().y, 1.0e-6f});
 }
@@ -65,15 +72,23 @@ float extentOf(const Bounds& seen) {
 }  // namespace
 
 float ShadowMap::marginOf(const Frame& frame, const DeformationPipeline& pipeline) {
-    const glm::mat4 view = lightView(directionOf(frame));
-    const Bounds original = originalsSeen(frame, view);
-    Bounds drawn = original;
+    std::vector<std::pair<const DrawItem*, Bounds>> bulging;
     for (const DrawItem& item : frame.targets) {
-        if (const std::optional<Bounds> bounds = probableBounds(item, frame, pipeline)) {
-            addSeen(drawn, view * item.model, *bounds);
+        const std::optional<Bounds> drawn = probableBounds(item, frame, pipeline);
+        if (drawn && !drawn->empty() && bulges(*drawn, item.buffers->originalBounds())) {
+            bulging.emplace_back(&item, *drawn);
         }
     }
-    const glm::vec3 more = glm::max(original.min - drawn.min, drawn.max - original.max);
+    if (bulging.empty()) {
+        return kLeastMargin;
+    }
+    const glm::mat4 view = lightView(directionOf(frame));
+    const Bounds original = originalsSeen(frame, view);
+    Bounds seen = original;
+    for (const auto& [item, drawn] : bulging) {
+        addSeen(seen, view * item->model, drawn);
+    }
+    const glm::vec3 more = glm::max(original.min - seen.min, seen.max - original.max);
     const float wanted = std::max(more.x, more.y) / extentOf(original);
     // In steps, or each dent that bulges further would move all of the map's texels.
     float margin = kLeastMargin;
@@ -272,8 +287,8 @@ Status ShadowMap::draw(const FrameContext& context, DeformationPipeline& pipelin
     }
     FrameContext part = context;
     part.part = {m_drawn, m_parts};
-    ++m_drawn;
     Status status = drawSurfaceDepth(part, pipeline, toClip, DepthOf::Whole, 0.0f, window);
+    m_drawn += status ? 1 : 0;
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_DEPTH_CLAMP);
     return status;

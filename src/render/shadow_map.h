@@ -28,10 +28,6 @@ public:
     /// How far the map of a frame reaches beyond the original shapes, in their extent: in steps, from 0.05
     /// on, as what is drawn bulges.
     [[nodiscard]] static float marginOf(const Frame& frame, const DeformationPipeline& pipeline);
-    /// Whether the map as it is was drawn with that, if it was drawn.
-    [[nodiscard]] bool hasMarginFor(const Frame& frame, const DeformationPipeline& pipeline) const {
-        return m_margin == 0.0f || marginOf(frame, pipeline) == m_margin;
-    }
     /// Brings the map up to date, or on by one of so many parts. Leaves framebuffer and viewport changed,
     /// depth test and writes on.
     [[nodiscard]] Status update(const FrameContext& context, DeformationPipeline& pipeline,
@@ -55,6 +51,7 @@ public:
     /// From the world to the map's texture coordinates and depth, [0, 1] each.
     [[nodiscard]] const glm::mat4& matrix() const { return m_matrix; }
     [[nodiscard]] Edges edges() const { return m_edges; }
+    [[nodiscard]] float margin() const { return m_margin; }  ///< marginOf() the frame that it was drawn for
     /// Of the light that it was drawn for.
     [[nodiscard]] const glm::vec3& direction() const { return m_direction; }
     /// Metres.

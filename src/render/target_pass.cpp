@@ -318,6 +318,14 @@ Status drawAllParts(const FrameContext& context, DeformationPipeline& pipeline, 
     return Done{};
 }
 
+/// Before its near plane as well.
+glm::mat4 withoutDepth(glm::mat4 toClip) {
+    for (int column = 0; column < 4; ++column) {
+        toClip[column][2] = 0.0f;
+    }
+    return toClip;
+}
+
 }  // namespace
 
 Status drawSurfaces(const FrameContext& context, DeformationPipeline& pipeline) {
@@ -342,6 +350,8 @@ Status drawSurfaceDepth(const FrameContext& context, DeformationPipeline& pipeli
     if (what == DepthOf::Seen) {
         clip.emplace(context.frame);
     }
+    // What lies before the near plane casts shadows, too: GL_DEPTH_CLAMP.
+    const glm::mat4 sight = what == DepthOf::Whole ? withoutDepth(viewProjection) : viewProjection;
     program.use();
     program.set("u_viewProjection", viewProjection);
     setDrawnPlace(program, context.frame);
@@ -359,10 +369,10 @@ Status drawSurfaceDepth(const FrameContext& context, DeformationPipeline& pipeli
             const DrawRange all{draws.front().first, last.first + last.count - draws.front().first};
             const DrawRange drawn = context.part.of(all);
             const IndexRun range{drawn.first, drawn.first + drawn.count};
-            const auto seen = within ? visibleRuns(item, context.frame, pipeline,
-                                                   Sight(viewProjection * item.model, *within),
-                                                   item.buffers->triangleRuns(), range)
-                                     : std::nullopt;
+            const auto seen =
+                within ? visibleRuns(item, context.frame, pipeline, Sight(sight * item.model, *within),
+                                     item.buffers->triangleRuns(), range)
+                       : std::nullopt;
             if (seen) {
                 drawBounded(context, GL_TRIANGLES, *seen, range, DrawOrder::Any);
             } else {

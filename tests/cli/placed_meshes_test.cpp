@@ -220,6 +220,11 @@ private Q_SLOTS:
         };
         QCOMPARE(fingerprints(run), fingerprints(with));
         QCOMPARE(fingerprints(run).size(), 2);
+        QFile saved(in("a.hitscope"));
+        QVERIFY(saved.open(QIODevice::ReadOnly));
+        const QJsonObject document = QJsonDocument::fromJson(saved.readAll()).object();
+        QCOMPARE(document["simulation"].toObject()["pipeline"].toString(),
+                 QStringLiteral("transform-feedback"));
         for (const QStringList& verb : {QStringList{"info"},
                                         {"replay"},
                                         {"changes"},

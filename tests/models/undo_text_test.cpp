@@ -22,7 +22,7 @@ private Q_SLOTS:
         row(SessionUndo::Kind::Remove, 1, "Remove Hit");
         row(SessionUndo::Kind::Remove, 3, "Remove 3 Hits");
         row(SessionUndo::Kind::Clear, 1000, "Clear 1,000 Hits");
-        row(SessionUndo::Kind::Move, 1, "Move Hit");
+        row(SessionUndo::Kind::Move, 1, "Reorder Hit");
         row(SessionUndo::Kind::Enable, 2, "Enable 2 Hits");
         row(SessionUndo::Kind::Disable, 1, "Disable Hit");
         row(SessionUndo::Kind::EditHit, 1, "Edit Hit 1,204", 1204);

@@ -93,7 +93,7 @@ void HitMenusTest::undoNamesTheStep() {
     m_session->hits().remove(std::vector<std::size_t>{0, 2, 3});
     QCOMPARE(undo->text(), QStringLiteral("&Undo Remove 3 Hits"));
     m_session->hits().move(std::vector<std::size_t>{0}, 2);
-    QCOMPARE(undo->text(), QStringLiteral("&Undo Move Hit 1"));
+    QCOMPARE(undo->text(), QStringLiteral("&Undo Reorder Hit 1"));
     m_session->hits().setEnabled(std::vector<std::size_t>{0, 1}, false);
     QCOMPARE(undo->text(), QStringLiteral("&Undo Disable 2 Hits"));
     DeformationConstants constants;

@@ -267,6 +267,14 @@ std::optional<std::size_t> DeformationConstantsPanel::presetInForce() const {
     return m_presets.find(m_session.settings().constants(), m_session.settings().constantsSetting().form);
 }
 
+/// Another Hitscope may have changed them meanwhile.
+void DeformationConstantsPanel::takePresetsOfOthers(QSettings& settings) {
+    settings.sync();
+    if (settings.status() == QSettings::NoError) {
+        m_presets.load(settings);
+    }
+}
+
 void DeformationConstantsPanel::savePreset() {
     bool accepted = false;
     const QString name = QInputDialog::getText(this, tr("Save as Preset"), tr("Name:"), QLineEdit::Normal,
@@ -276,24 +284,24 @@ void DeformationConstantsPanel::savePreset() {
     }
     const ConstantsSetting& now = m_session.settings().constantsSetting();
     const ChangedSettings settings;
-    settings->sync();
-    m_presets.load(*settings);  // another Hitscope may have changed them meanwhile
-    if (Status status = m_presets.save(name, now.constants, now.form); !status) {
-        QMessageBox::warning(this, tr("Save as Preset"), QString::fromStdString(status.error().message()));
-        return;
+    takePresetsOfOthers(*settings);
+    const Status saved = m_presets.save(name, now.constants, now.form);
+    if (saved) {
+        m_presets.store(*settings);
     }
-    m_presets.store(*settings);
     listPresets();
     showConstants();
     Q_EMIT presetsChanged();
+    if (!saved) {
+        QMessageBox::warning(this, tr("Save as Preset"), QString::fromStdString(saved.error().message()));
+    }
 }
 
 void DeformationConstantsPanel::deletePreset() {
     if (const std::optional<std::size_t> preset = presetInForce()) {
         const QString name = m_presets.all()[*preset].name;
         const ChangedSettings settings;
-        settings->sync();
-        m_presets.load(*settings);
+        takePresetsOfOthers(*settings);
         m_presets.remove(name);
         m_presets.store(*settings);
         listPresets();

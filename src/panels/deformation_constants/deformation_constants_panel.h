@@ -47,6 +47,7 @@ private:
     void apply(const ConstantsSetting& setting, SessionUndo::Merge merge = SessionUndo::Merge::Never);
     void choosePreset(int row);
     [[nodiscard]] std::optional<std::size_t> presetInForce() const;
+    void takePresetsOfOthers(QSettings& settings);
     void savePreset();
     void deletePreset();
 

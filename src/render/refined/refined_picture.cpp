@@ -67,7 +67,8 @@ void RefinedPicture::forgetSamples() {
     m_nextPart = 0;
 }
 
-void RefinedPicture::plainDrawn(std::vector<std::uint64_t> moments) {
+void RefinedPicture::plainDrawn(std::vector<std::uint64_t> moments, float shadowMargin) {
+    m_shadowMargin = shadowMargin;
     m_hasPlain = true;
     m_nextPart = 0;
     m_rough = {};

@@ -68,8 +68,9 @@ public:
     [[nodiscard]] Made prepare(int width, int height, bool inParts = false);
     /// The frame without jitter has been drawn into plainFramebuffer(), with the targets at these moments of
     /// theirs (DrawItem::settled).
-    void plainDrawn(std::vector<std::uint64_t> moments);
+    void plainDrawn(std::vector<std::uint64_t> moments, float shadowMargin);
     [[nodiscard]] std::span<const std::uint64_t> moments() const { return m_moments; }
+    [[nodiscard]] float shadowMargin() const { return m_shadowMargin; }
     /// Where there are samples enough, the plain picture becomes their mean: showing it again takes half the
     /// time, and what is patched stays as it was shown. Leaves framebuffer, viewport and blending changed.
     [[nodiscard]] Status keepMean(render::ProgramCache& programs, GLuint emptyArray);
@@ -169,6 +170,7 @@ private:
     PixelArea m_rough;
     std::optional<PixelArea> m_unrefined;  ///< elsewhere the plain picture is refined; nothing: nowhere
     std::vector<std::uint64_t> m_moments;  ///< of the plain picture
+    float m_shadowMargin = 0.0f;           ///< likewise
     bool m_hasPlain = false;
     bool m_isBegun = false;
     bool m_settles = false;                      ///< some pixels after the first samples

@@ -34,12 +34,13 @@ std::optional<PicturePatch> Renderer::patchFor(const Frame& given, const Deforma
     }
     const LitFrame lit(given);
     const FrameContext context = d->contextOf(lit.frame());
-    if (ShadowMap::isWanted(lit.frame()) && !d->shadows.hasMarginFor(lit.frame(), pipeline)) {
-        return std::nullopt;  // texels of shadows lie elsewhere, all over the picture
-    }
     const std::optional<MovedArea> moved = movedArea(context, pipeline, picture.moments());
     if (!moved) {
         return std::nullopt;
+    }
+    if (ShadowMap::isWanted(lit.frame()) &&
+        ShadowMap::marginOf(lit.frame(), pipeline) != picture.shadowMargin()) {
+        return std::nullopt;  // texels of shadows lie elsewhere now, all over the picture
     }
     PicturePatch patch{united(moved->plain, picture.rough()), moved->refined};
     if (isMost(patch.area, given)) {

@@ -172,7 +172,8 @@ Status Renderer::Private::drawPlain(FrameContext& context, DeformationPipeline& 
     if (Status drawn = trails.draw(context); !drawn) {
         return drawn;
     }
-    picture.plainDrawn(momentsOf(context.frame));
+    picture.plainDrawn(momentsOf(context.frame),
+                       context.shadows != nullptr ? context.shadows->margin() : 0.0f);
     return Done{};
 }
 
