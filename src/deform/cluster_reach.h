@@ -39,7 +39,12 @@ public:
     /// Likewise, of one cluster.
     [[nodiscard]] Bounds bounds(std::size_t cluster) const { return nodeBounds(m_leaves + cluster); }
 
-    /// Likewise, of groups of neighbouring clusters, `most` at most (1 or more), which have all of them.
+    /// Boxes that hold the vertices as they are, as far as is known: drawn tight once they have been looked
+    /// at.
+    [[nodiscard]] Bounds boundsNow() const { return m_now[1]; }
+    [[nodiscard]] Bounds boundsNow(std::size_t cluster) const { return m_now[m_leaves + cluster]; }
+
+    /// As bounds(), of groups of neighbouring clusters, `most` at most (1 or more), which have all of them.
     /// Costs what it returns.
     [[nodiscard]] std::vector<Bounds> boundsOfGroups(std::size_t most) const;
 

@@ -78,15 +78,18 @@ std::optional<Bounds> probableBounds(const DrawItem& item, const Frame& frame,
                                      const DeformationPipeline& pipeline) {
     const float exaggeration = frame.options.beforeAfter.exaggeration;
     const ClusterReach* reach = pipeline.reach(item.target);
-    if (item.original || exaggeration == 1.0f || reach == nullptr) {
+    if (item.original || reach == nullptr) {
         return drawnBounds(item, frame, pipeline);
+    }
+    if (exaggeration == 1.0f) {
+        return reach->boundsNow();
     }
     // Clusters are flat: where they bulge, their boxes have moved as far as their vertices.
     Bounds all = item.buffers->originalBounds();
     for (std::size_t i = 0; i < reach->clusters().size(); ++i) {
         if (!reach->isOriginal(i)) {
             const Bounds& before = reach->clusters()[i].bounds;
-            const Bounds now = reach->bounds(i);
+            const Bounds now = reach->boundsNow(i);
             all.add(before.min + exaggeration * (now.min - before.min));
             all.add(before.max + exaggeration * (now.max - before.max));
         }

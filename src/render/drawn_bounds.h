@@ -63,7 +63,7 @@ private:
 /// Of all of them.
 [[nodiscard]] std::optional<Bounds> drawnBounds(const DrawItem& item, const Frame& frame,
                                                 const DeformationPipeline& pipeline);
-/// Likewise, and about where exaggerated vertices are.
+/// As they are now, and about where exaggerated vertices are: after an undo as before.
 [[nodiscard]] std::optional<Bounds> probableBounds(const DrawItem& item, const Frame& frame,
                                                    const DeformationPipeline& pipeline);
 
