@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 # What every target of ours is compiled with. Results must not depend on the compiler's mood: -ffp-contract=off keeps the
-# deformation the same in every bit as the GPU's (DESIGN: "Deformation, exactly").
+# deformation the same in every bit as the GPU's (HACKING.md: "Four rules").
 add_library(hitscope_options INTERFACE)
 target_compile_features(hitscope_options INTERFACE cxx_std_20)
 target_include_directories(hitscope_options INTERFACE ${PROJECT_SOURCE_DIR}/src)

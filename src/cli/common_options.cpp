@@ -11,6 +11,14 @@
 
 namespace hitscope::cli {
 
+QStringList wordsOf(std::span<const std::string_view> keys) {
+    QStringList words;
+    for (const std::string_view key : keys) {
+        words << QString::fromUtf8(key.data(), static_cast<qsizetype>(key.size()));
+    }
+    return words;
+}
+
 UsageOption quietOption() {
     return flagOption("quiet", QStringLiteral("Print no notes and no progress."));
 }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QString>
+#include <QStringList>
 #include <optional>
+#include <span>
+#include <string_view>
 
 #include "cli/command_line.h"
 #include "cli/json_report.h"
@@ -12,6 +14,9 @@
 namespace hitscope::cli {
 
 // Options that several verbs take alike.
+
+/// Keys of files, by which an option takes its words.
+[[nodiscard]] QStringList wordsOf(std::span<const std::string_view> keys);
 
 /// --quiet
 [[nodiscard]] UsageOption quietOption();

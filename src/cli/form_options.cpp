@@ -1,22 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/form_options.h"
 
+#include "cli/common_options.h"
 #include "deform/dent_form_text.h"
 
 namespace hitscope::cli {
-
-namespace {
-
-template <class Keys>
-QStringList wordsOf(const Keys& keys) {
-    QStringList words;
-    for (const std::string_view key : keys) {
-        words << QString::fromUtf8(key.data(), static_cast<qsizetype>(key.size()));
-    }
-    return words;
-}
-
-}  // namespace
 
 QList<UsageOption> formOptions() {
     return {

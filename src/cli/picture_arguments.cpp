@@ -8,6 +8,7 @@
 #include "cli/mesh_step_options.h"
 #include "cli/scene_options.h"
 #include "deform/change_quantity.h"
+#include "document/view_fields.h"
 #include "scene/picture.h"
 #include "view/camera_text.h"
 
@@ -58,7 +59,7 @@ constexpr std::array<DrawingFlag, 9> kFlags{
 QList<UsageOption> changeOptions() {
     return {
         wordOption("change", "QUANTITY", changeKeys(), QStringLiteral("Colour the surface by this change.")),
-        wordOption("colour-map", "MAP", words({"viridis", "cividis", "cool-warm"}),
+        wordOption("colour-map", "MAP", wordsOf(document_words::kColourMapWords),
                    QStringLiteral("Colour map of --change.")),
         valueOption("range", "LOW,HIGH",
                     QStringLiteral(

@@ -49,7 +49,7 @@ struct Hit {
 
 /// A hit with its direction made unit length and its form plain(); an error for a non-finite number, a zero
 /// direction, constants out of range or a form that no hit can have. Every way into a HitHistory passes
-/// through here (DESIGN: "refused where it enters").
+/// through here.
 [[nodiscard]] Result<Hit> checkedHit(Hit hit);
 
 }  // namespace hitscope

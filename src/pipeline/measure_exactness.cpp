@@ -10,6 +10,7 @@
 #include <span>
 
 #include "deform/deform.h"
+#include "deform/dent_form.h"
 #include "gl/objects.h"
 #include "gl/program.h"
 #include "mesh/render_mesh.h"
@@ -33,7 +34,7 @@ struct Cases {
 
 /// Every kind but the paper's, in turn.
 DentForm formOf(std::size_t index) {
-    constexpr std::size_t kForms = 6;
+    constexpr std::size_t kForms = kDentProfileKeys.size();
     DentForm form;
     if (index % kForms == 0) {
         form.direction = DentDirection::Press;

@@ -17,7 +17,8 @@ const ProgramUsage& windowUsage() {
                 .mostFiles = -1},
         .verbs = {},
         .statuses = {{0, QStringLiteral("The window was closed.")},
-                     {1, QStringLiteral("There is no display, or it has no OpenGL.")},
+                     {1,
+                      QStringLiteral("The command line is wrong, there is no display, or it has no OpenGL.")},
                      {128, QStringLiteral("plus n: terminated cleanly by signal n.")}},
         .environment = {},
         .seeAlso = {QStringLiteral("hitscope-cli(1)")}};

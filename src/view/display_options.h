@@ -9,10 +9,7 @@
 namespace hitscope {
 
 enum class WireframeMode : std::uint8_t { Off, Over, Only };
-enum class NormalMode : std::uint8_t {
-    True,
-    Paper
-};  ///< which normals shade (DESIGN: "Deformation, exactly")
+enum class NormalMode : std::uint8_t { True, Paper };  ///< which normals shade
 enum class Theme : std::uint8_t { Light, Dark };
 /// What surfaces are made of: what their files say, or one material for all of them.
 enum class SurfaceLook : std::uint8_t { File, Matcap, Clay, Metal };

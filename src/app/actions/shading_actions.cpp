@@ -43,8 +43,8 @@ std::span<const ShadingSwitch> shadingSwitches() {
          {"reduceInMotion", QT_TRANSLATE_NOOP("hitscope::ShadingActions", "Red&uce in Motion"),
           QT_TRANSLATE_NOOP(
               "hitscope::ShadingActions",
-              "While the picture moves and cannot be drawn 30 times a second: with fewer triangles or "
-              "pixels"),
+              "While the picture moves and cannot be drawn fast enough (30 times a second, 60 where the CPU "
+              "draws): with fewer triangles or pixels"),
           "", &DisplayOptions::reduceInMotion, true}}};
     return kSwitches;
 }

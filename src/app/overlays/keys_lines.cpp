@@ -150,7 +150,7 @@ KeysSection heldKeys() {
              {KeysTexts::tr("W A S D"), KeysTexts::tr("Fly; Shift: faster")},
              {KeysTexts::tr("E Q"), KeysTexts::tr("Fly up and down")},
              {KeysTexts::tr("[ ]"), KeysTexts::tr("Brush: size; Shift: strength; so does Ctrl+wheel")},
-             {KeysTexts::tr("Esc"), KeysTexts::tr("Clear the selection; give a brush stroke up")}}};
+             {KeysTexts::tr("Esc"), KeysTexts::tr("Clear the selection; give a drag or a brush stroke up")}}};
 }
 
 std::vector<KeysSection> actionKeys(const QMainWindow& window) {
