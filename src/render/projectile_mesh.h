@@ -15,8 +15,8 @@ struct BallMesh {
     std::vector<std::uint16_t> indices;  ///< 3 a triangle
 };
 
-/// segments >= 3 around, rings >= 2 from pole to pole.
-[[nodiscard]] BallMesh makeBall(int segments, int rings);
+/// The geodesic sphere of this frequency, 1 to 80.
+[[nodiscard]] BallMesh makeBall(int frequency);
 
 /// The radius, metres, to draw a projectile of `radius` with whose centre is there: nothing at the eye, from
 /// where it is shot and where it would hide the picture, and more until it is itself, half way to the

@@ -14,7 +14,7 @@ public:
     ProjectilePass();
     [[nodiscard]] Status draw(const FrameContext& context);
 
-    static constexpr std::size_t kLevels = 3;
+    static constexpr std::size_t kLevels = 4;
 
 private:
     struct Level {

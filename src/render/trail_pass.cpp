@@ -54,10 +54,15 @@ void addTrail(const ProjectileItem& projectile, const Camera& camera, std::vecto
         const float age = static_cast<float>(trail.size() - i) / parts;
         const Edge begin = last ? *last : edge(from, 0.0f);
         const Edge end = edge(to, age);
-        vertices.insert(vertices.end(),
-                        {begin.left, begin.right, end.left, end.left, begin.right, end.right});
+        if (!last) {
+            vertices.insert(vertices.end(), {begin.left, begin.left, begin.right});
+        }
+        vertices.insert(vertices.end(), {end.left, end.right});
         last = end;
         from = to;
+    }
+    if (last) {
+        vertices.push_back(last->right);
     }
 }
 
@@ -91,7 +96,7 @@ Status TrailPass::draw(const FrameContext& context) {
     glBindBuffer(GL_ARRAY_BUFFER, m_buffer.id());
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(m_vertices.size() * sizeof(TrailVertex)),
                  m_vertices.data(), GL_STREAM_DRAW);
-    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(m_vertices.size()));
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, static_cast<GLsizei>(m_vertices.size()));
     return Done{};
 }
 

@@ -16,7 +16,8 @@ struct TrailVertex {
 static_assert(sizeof(TrailVertex) == 16);
 
 /// Adds the ribbon behind a projectile, two triangles a part, that fades and narrows towards its end and
-/// faces the camera's eye. Nothing for one that lies still.
+/// faces the camera's eye. Nothing for one that lies still. All ribbons are one triangle strip: the first and
+/// the last corner of each come twice, so that what joins it to the next one has no area.
 void addTrail(const ProjectileItem& projectile, const Camera& camera, std::vector<TrailVertex>& vertices);
 
 /// The trails of projectiles in flight, all in one draw. A context is current for every call and the
