@@ -9,7 +9,7 @@
 namespace hitscope {
 
 ClusterRuns::ClusterRuns(std::span<const DynamicVertex> vertices, std::span<const std::uint32_t> indices,
-                         std::size_t corners, std::span<const DrawRange> draws) {
+                         std::size_t corners, std::span<const DrawRange> draws, std::size_t before) {
     std::vector<std::size_t> knownTo;  // by cluster: one more than the last run with a corner there
     const auto addRange = [&](std::size_t first, std::size_t end) {
         for (std::size_t element = first; element < end; element += corners) {
@@ -19,10 +19,10 @@ ClusterRuns::ClusterRuns(std::span<const DynamicVertex> vertices, std::span<cons
             // All clusters but the last are full.
             const std::uint32_t cluster = *lowest / kClusterVertices;
             if (element == first || m_runs.back().cluster != cluster) {
-                const auto index = static_cast<std::uint32_t>(element);
+                const auto index = static_cast<std::uint32_t>(before + element);
                 m_runs.push_back({index, index, cluster, static_cast<std::uint32_t>(m_others.size()), {}});
             }
-            m_runs.back().end = static_cast<std::uint32_t>(element + corners);
+            m_runs.back().end = static_cast<std::uint32_t>(before + element + corners);
             for (const std::uint32_t vertex : ends) {
                 m_runs.back().bounds.add(vertices[vertex].position);
             }

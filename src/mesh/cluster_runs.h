@@ -33,8 +33,9 @@ public:
     ClusterRuns() = default;
     /// indices: of `vertices`, `corners` an element (2 or 3), elements of each draw by their lowest one.
     /// draws: cover indices in order; none: all are one.
+    /// before: entries of the index array that come before these.
     ClusterRuns(std::span<const DynamicVertex> vertices, std::span<const std::uint32_t> indices,
-                std::size_t corners, std::span<const DrawRange> draws);
+                std::size_t corners, std::span<const DrawRange> draws, std::size_t before = 0);
 
     /// In the order of the indices, which they cover.
     [[nodiscard]] std::span<const Run> runs() const { return m_runs; }

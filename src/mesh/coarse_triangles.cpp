@@ -162,6 +162,22 @@ private:
     std::vector<std::uint32_t> m_indices;  ///< into the three above
 };
 
+std::vector<std::uint32_t> byLowestCorner(const std::vector<std::uint32_t>& indices) {
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    triangles.reserve(indices.size() / 3);
+    for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
+        triangles.push_back({indices[i], indices[i + 1], indices[i + 2]});
+    }
+    std::stable_sort(triangles.begin(), triangles.end(),
+                     [](const auto& a, const auto& b) { return std::ranges::min(a) < std::ranges::min(b); });
+    std::vector<std::uint32_t> sorted;
+    sorted.reserve(indices.size());
+    for (const auto& triangle : triangles) {
+        sorted.insert(sorted.end(), triangle.begin(), triangle.end());
+    }
+    return sorted;
+}
+
 }  // namespace
 
 void addCoarseTriangles(RenderMesh& mesh, std::size_t wanted) {
@@ -178,12 +194,14 @@ void addCoarseTriangles(RenderMesh& mesh, std::size_t wanted) {
         if (triangles < kFewest) {
             mesh.coarseTriangles.insert(mesh.coarseTriangles.end(), indices.begin(), indices.end());
         } else {
-            const std::vector<std::uint32_t> found = part.simplified(indices, share);
+            const std::vector<std::uint32_t> found = byLowestCorner(part.simplified(indices, share));
             mesh.coarseTriangles.insert(mesh.coarseTriangles.end(), found.begin(), found.end());
         }
         const auto behind = static_cast<std::uint32_t>(mesh.coarseTriangles.size());
         mesh.coarseDraws.push_back({first, behind - first, draw.material});
     }
+    mesh.coarseRuns =
+        ClusterRuns(mesh.vertices, mesh.coarseTriangles, 3, mesh.coarseDraws, mesh.triangles.size());
 }
 
 }  // namespace hitscope

@@ -56,6 +56,7 @@ struct RenderMesh {
     /// coarse_triangles.h. Empty of others.
     std::vector<std::uint32_t> coarseTriangles;
     std::vector<DrawRange> coarseDraws;  ///< cover `coarseTriangles`, one a material
+    ClusterRuns coarseRuns;              ///< of `coarseTriangles`, as if they came behind `triangles`
     std::vector<Cluster> clusters;       ///< cover `vertices`, in order; all but the last are full
     std::shared_ptr<const ClusterTree> clusterTree;  ///< of `clusters`
     Bounds bounds;                                   ///< of the original positions that faces use

@@ -87,6 +87,8 @@ public:
     [[nodiscard]] std::span<const Cluster> clusters() const { return m_clusters; }
     [[nodiscard]] const std::shared_ptr<const ClusterTree>& clusterTree() const { return m_clusterTree; }
     [[nodiscard]] const ClusterRuns& triangleRuns() const { return m_mesh->triangleRuns; }
+    /// Of what coarseDraws() cover.
+    [[nodiscard]] const ClusterRuns& coarseRuns() const { return m_mesh->coarseRuns; }
     /// The index buffer's, without the coarse ones.
     [[nodiscard]] std::span<const std::uint32_t> triangles() const { return m_mesh->triangles; }
     [[nodiscard]] const ClusterRuns& edgeRuns() const;  ///< made when first asked for

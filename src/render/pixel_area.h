@@ -12,6 +12,7 @@ struct PixelArea {
     int width = 0;
     int height = 0;
 
+    bool operator==(const PixelArea&) const = default;
     [[nodiscard]] bool empty() const { return width <= 0 || height <= 0; }
 };
 

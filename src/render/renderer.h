@@ -86,7 +86,8 @@ struct Frame {
 
 /// What of a kept picture is drawn again where vertices have moved since.
 struct PicturePatch {
-    PixelArea area;  ///< where they and their shadows were and are
+    PixelArea area;                ///< where they and their shadows were and are
+    std::vector<PixelArea> parts;  ///< of it, where just these are; they do not overlap
     /// Where a refined picture differs, for soft shadows and occlusion reach farther; nothing: anywhere.
     std::optional<PixelArea> refined;
     bool isCoarse = false;  ///< as Frame::coarse

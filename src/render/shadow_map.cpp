@@ -188,31 +188,37 @@ void ShadowMap::follow(const FrameContext& context, const DeformationPipeline& p
     }
 }
 
-std::optional<PixelArea> ShadowMap::movedArea(const FrameContext& context,
-                                              const DeformationPipeline& pipeline,
-                                              const glm::mat4& toClip) const {
+double ShadowMap::shareOf(const MarkedTiles& texels) const {
+    return static_cast<double>(texels.pixels()) / (1.0 * m_size * m_size);
+}
+
+std::optional<MarkedTiles> ShadowMap::movedTexels(const FrameContext& context,
+                                                  const DeformationPipeline& pipeline,
+                                                  const glm::mat4& toClip) const {
     const Frame& frame = context.frame;
-    // A coarse shape has no clusters, and nobody knows where exaggerated vertices are.
-    const bool isKnown = isWhole() || m_area;
-    if (!isKnown || frame.coarse || m_exaggeration != 1.0f) {
+    // Nobody knows where exaggerated vertices are.
+    const bool isKnown = isWhole() || m_texels;
+    if (!isKnown || m_exaggeration != 1.0f) {
         return std::nullopt;
     }
-    PixelArea all = isWhole() ? PixelArea{} : *m_area;
+    std::vector<PixelArea> all = isWhole() ? std::vector<PixelArea>() : m_texels->rectangles();
     for (std::size_t i = 0; i < frame.targets.size(); ++i) {
         const DrawItem& item = frame.targets[i];
         const auto moved = movedTriangles(item, frame, pipeline, m_moments[i]);
         if (!moved) {
             return std::nullopt;
         }
-        SeenArea seen(toClip * item.model);
-        if (!std::all_of(moved->begin(), moved->end(),
-                         [&seen](const Bounds& box) { return seen.add(box); })) {
-            return std::nullopt;
+        const glm::mat4 itemToClip = toClip * item.model;
+        for (const Bounds& box : *moved) {
+            SeenArea seen(itemToClip);
+            if (!seen.add(box)) {
+                return std::nullopt;
+            }
+            all.push_back(seen.in({m_size, m_size}));
         }
-        all = united(all, seen.in({m_size, m_size}));
     }
-    const bool isMost = 2 * all.width * all.height > m_size * m_size;
-    return isMost ? std::nullopt : std::optional(all);
+    const MarkedTiles texels = MarkedTiles::around(all);
+    return shareOf(texels) > 0.5 ? std::nullopt : std::optional(texels);
 }
 
 std::size_t ShadowMap::trianglesToDraw(const FrameContext& context, const DeformationPipeline& pipeline) {
@@ -222,8 +228,9 @@ std::size_t ShadowMap::trianglesToDraw(const FrameContext& context, const Deform
     }
     if (change == Change::Vertices) {
         const glm::mat4 toClip = place(context);
-        if (const std::optional<PixelArea> area = movedArea(context, pipeline, toClip)) {
-            return trianglesWithin(context, pipeline, toClip, windowOf(*area, glm::ivec2(m_size)));
+        if (const std::optional<MarkedTiles> texels = movedTexels(context, pipeline, toClip)) {
+            return trianglesWithin(context, pipeline, toClip, windowOf(texels->area(), glm::ivec2(m_size)),
+                                   {&*texels, glm::ivec2(m_size)});
         }
     }
     return trianglesOf(context.frame);
@@ -234,13 +241,10 @@ std::uint32_t ShadowMap::partsToDraw(const FrameContext& context, std::uint32_t 
     if (context.frame.meshRevision == 0) {
         return 1;  // what is new each time is never whole in parts
     }
-    if (!m_area) {
+    if (!m_texels) {
         return parts;
     }
-    const float side = static_cast<float>(m_size);
-    const float share = static_cast<float>(m_area->width) / side * static_cast<float>(m_area->height) / side;
-    return std::clamp(static_cast<std::uint32_t>(std::ceil(2.0f * share * static_cast<float>(parts))), 1u,
-                      parts);
+    return std::clamp(static_cast<std::uint32_t>(std::ceil(2.0 * shareOf(*m_texels) * parts)), 1u, parts);
 }
 
 Status ShadowMap::update(const FrameContext& context, DeformationPipeline& pipeline, std::uint32_t parts) {
@@ -249,15 +253,27 @@ Status ShadowMap::update(const FrameContext& context, DeformationPipeline& pipel
         return Done{};
     }
     if (change != Change::Nothing) {
-        m_area = change == Change::Vertices ? movedArea(context, pipeline, place(context)) : std::nullopt;
+        m_texels = change == Change::Vertices ? movedTexels(context, pipeline, place(context)) : std::nullopt;
         follow(context, pipeline);
     }
     const std::uint32_t wanted = partsToDraw(context, parts);
     if (change != Change::Nothing || m_parts != wanted) {
         m_parts = wanted;
-        m_drawn = m_area && m_area->width == 0 ? wanted : 0;
+        m_drawn = m_texels && m_texels->pixels() == 0 ? wanted : 0;
     }
     return isWhole() ? Status(Done{}) : draw(context, pipeline);
+}
+
+void ShadowMap::clear() const {
+    glClearDepth(1.0);
+    if (!m_texels) {
+        glClear(GL_DEPTH_BUFFER_BIT);
+        return;
+    }
+    for (const PixelArea& rectangle : m_texels->rectangles()) {
+        limitDrawing(rectangle);
+        glClear(GL_DEPTH_BUFFER_BIT);
+    }
 }
 
 Status ShadowMap::draw(const FrameContext& context, DeformationPipeline& pipeline) {
@@ -276,18 +292,18 @@ Status ShadowMap::draw(const FrameContext& context, DeformationPipeline& pipelin
     glDepthMask(GL_TRUE);
     glDepthFunc(GL_LESS);
     glEnable(GL_DEPTH_CLAMP);  // what bulges towards the light casts a shadow from wherever it is
-    std::optional<PictureWindow> window;
-    if (m_area) {
-        limitDrawing(*m_area);
-        window = windowOf(*m_area, glm::ivec2(m_size));
-    }
     if (m_drawn == 0) {
-        glClearDepth(1.0);
-        glClear(GL_DEPTH_BUFFER_BIT);
+        clear();
+    }
+    std::optional<PictureWindow> window;
+    if (m_texels) {
+        limitDrawing(m_texels->area());
+        window = windowOf(m_texels->area(), glm::ivec2(m_size));
     }
     FrameContext part = context;
     part.part = {m_drawn, m_parts};
-    Status status = drawSurfaceDepth(part, pipeline, toClip, DepthOf::Whole, 0.0f, window);
+    const TilesOfPicture tiles{m_texels ? &*m_texels : nullptr, glm::ivec2(m_size)};
+    Status status = drawSurfaceDepth(part, pipeline, toClip, DepthOf::Whole, 0.0f, window, tiles);
     m_drawn += status ? 1 : 0;
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_DEPTH_CLAMP);

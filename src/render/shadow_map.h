@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "render/frame_context.h"
-#include "render/pixel_area.h"
+#include "render/refined/marked_tiles.h"
 
 namespace hitscope::render {
 
@@ -76,9 +76,12 @@ private:
     glm::mat4 place(const FrameContext& context);
     /// Texels in which moved vertices were and are seen, and those that were still to be drawn; nothing: they
     /// are not known, or most of the map.
-    [[nodiscard]] std::optional<PixelArea> movedArea(const FrameContext& context,
-                                                     const DeformationPipeline& pipeline,
-                                                     const glm::mat4& toClip) const;
+    [[nodiscard]] std::optional<MarkedTiles> movedTexels(const FrameContext& context,
+                                                         const DeformationPipeline& pipeline,
+                                                         const glm::mat4& toClip) const;
+    [[nodiscard]] double shareOf(const MarkedTiles& texels) const;
+    /// What is drawn, of what is bound. Leaves the scissor test on.
+    void clear() const;
     /// The next of the parts.
     [[nodiscard]] Status draw(const FrameContext& context, DeformationPipeline& pipeline);
 
@@ -95,9 +98,11 @@ private:
     float m_exaggeration = 1.0f;
     float m_margin = 0.0f;  ///< marginOf()
     std::uint64_t m_meshRevision = 0;
-    std::optional<PixelArea> m_area;  ///< texels that are drawn; nothing: all
-    std::uint32_t m_parts = 1;        ///< that they are drawn in
-    std::uint32_t m_drawn = 0;        ///< of these
+    /// That are drawn; nothing: all. All others hold the nearest depths, which drawing a triangle that has
+    /// not moved again leaves as they are.
+    std::optional<MarkedTiles> m_texels;
+    std::uint32_t m_parts = 1;  ///< that they are drawn in
+    std::uint32_t m_drawn = 0;  ///< of these
     const DeformationPipeline* m_pipeline = nullptr;
 };
 

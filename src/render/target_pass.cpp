@@ -177,17 +177,18 @@ struct Draw {
 };
 
 /// From close by, much of a target lies beside the picture. A GPU draws it sooner than the CPU has found it.
+/// runs: the item's, of all triangles or of the coarse ones.
 std::optional<std::vector<IndexRun>> seenOf(const FrameContext& context, const DeformationPipeline& pipeline,
-                                            const DrawItem& item, const DrawRange& range) {
+                                            const DrawItem& item, const ClusterRuns& runs,
+                                            const DrawRange& range) {
     if (!context.software) {
         return std::nullopt;
     }
     Sight sight(context.viewProjection * item.model, context.window.value_or(PictureWindow{}));
     const glm::ivec2 picture(context.frame.width, context.frame.height);
-    sight.limitTo(context.tiles, picture);
+    sight.limitTo({context.tiles, picture});
     sight.hideBehind(context.front, picture);
-    return visibleRuns(item, context.frame, pipeline, sight, item.buffers->triangleRuns(),
-                       {range.first, range.first + range.count});
+    return visibleRuns(item, context.frame, pipeline, sight, runs, {range.first, range.first + range.count});
 }
 
 struct ItemDraws {
@@ -202,7 +203,8 @@ ItemDraws drawsOf(const FrameContext& context, const DeformationPipeline& pipeli
     if (coarse.data() == all.data()) {
         return {all, std::nullopt};
     }
-    auto seen = seenOf(context, pipeline, item, {0, item.buffers->triangleIndexCount()});
+    auto seen = seenOf(context, pipeline, item, item.buffers->triangleRuns(),
+                       {0, item.buffers->triangleIndexCount()});
     const std::size_t few = item.buffers->coarseIndexCount();
     return seen && countOf(*seen) <= few ? ItemDraws{all, std::move(seen)} : ItemDraws{coarse, std::nullopt};
 }
@@ -217,6 +219,7 @@ std::vector<Draw> drawsOf(const FrameContext& context, const DeformationPipeline
         }
         const auto [ranges, seen] = drawsOf(context, pipeline, item);
         const bool isCoarse = ranges.data() != item.buffers->draws().data();
+        const ClusterRuns& runs = isCoarse ? item.buffers->coarseRuns() : item.buffers->triangleRuns();
         if (isCoarse && context.drewCoarse != nullptr) {
             *context.drewCoarse = true;
         }
@@ -226,7 +229,7 @@ std::vector<Draw> drawsOf(const FrameContext& context, const DeformationPipeline
             const DrawRange drawn = translucent ? range : context.part.of(range);
             if (drawn.count > 0 && parts.translucent == translucent) {
                 draws.push_back(
-                    {&item, drawn, parts, seen || isCoarse ? seen : seenOf(context, pipeline, item, drawn)});
+                    {&item, drawn, parts, seen ? seen : seenOf(context, pipeline, item, runs, drawn)});
             }
         }
     }
@@ -338,7 +341,7 @@ Status drawTranslucentSurfaces(const FrameContext& context, DeformationPipeline&
 
 Status drawSurfaceDepth(const FrameContext& context, DeformationPipeline& pipeline,
                         const glm::mat4& viewProjection, DepthOf what, float leastEdge,
-                        const std::optional<PictureWindow>& within) {
+                        const std::optional<PictureWindow>& within, const TilesOfPicture& tiles) {
     const gl::Defines defines = what == DepthOf::Whole ? wholeTargetDefines(context.frame, pipeline)
                                                        : targetDefines(context.frame, pipeline);
     const auto found = context.programs.get("surface.vert", "depth.frag", defines);
@@ -364,15 +367,20 @@ Status drawSurfaceDepth(const FrameContext& context, DeformationPipeline& pipeli
         program.set("u_model", item.model);
         glBindVertexArray(surfaceArrayOf(item));
         const std::span<const DrawRange> draws = hitscope::drawsOf(item, context.frame.coarse);
+        const bool isCoarse = draws.data() != item.buffers->draws().data();
         if (!draws.empty()) {
             const DrawRange& last = draws.back();
             const DrawRange all{draws.front().first, last.first + last.count - draws.front().first};
             const DrawRange drawn = context.part.of(all);
             const IndexRun range{drawn.first, drawn.first + drawn.count};
-            const auto seen =
-                within ? visibleRuns(item, context.frame, pipeline, Sight(sight * item.model, *within),
-                                     item.buffers->triangleRuns(), range)
-                       : std::nullopt;
+            std::optional<std::vector<IndexRun>> seen;
+            if (within) {
+                Sight itemSight(sight * item.model, *within);
+                itemSight.limitTo(tiles);
+                seen =
+                    visibleRuns(item, context.frame, pipeline, itemSight,
+                                isCoarse ? item.buffers->coarseRuns() : item.buffers->triangleRuns(), range);
+            }
             if (seen) {
                 drawBounded(context, GL_TRIANGLES, *seen, range, DrawOrder::Any);
             } else {

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "render/frame_context.h"
+#include "render/visible_runs.h"
 
 namespace hitscope::render {
 
@@ -16,9 +17,10 @@ namespace hitscope::render {
 enum class DepthOf : std::uint8_t { Seen, Whole };
 /// Only the depth of the surfaces, or of the share of context.part: hides what a wireframe without surfaces
 /// would show through them. Targets whose edges are shorter than `leastEdge` (logical pixels) are left out.
-/// within: nothing else can be drawn to.
+/// within: nothing else can be drawn to; tiles: of that, nothing else is wanted.
 [[nodiscard]] Status drawSurfaceDepth(const FrameContext& context, DeformationPipeline& pipeline,
                                       const glm::mat4& viewProjection, DepthOf what, float leastEdge = 0.0f,
-                                      const std::optional<PictureWindow>& within = {});
+                                      const std::optional<PictureWindow>& within = {},
+                                      const TilesOfPicture& tiles = {});
 
 }  // namespace hitscope::render

@@ -27,9 +27,9 @@ Bounds boxOf(const ClusterBoxes& boxes, const ClusterRuns& runs, std::size_t ind
     return box;
 }
 
-void Sight::limitTo(const MarkedTiles* tiles, const glm::ivec2& picture) {
-    m_tiles = tiles;
-    m_picture = picture;
+void Sight::limitTo(const TilesOfPicture& tiles) {
+    m_tiles = tiles.tiles;
+    m_picture = tiles.picture;
 }
 
 void Sight::hideBehind(const FrontDepths* front, const glm::ivec2& picture) {

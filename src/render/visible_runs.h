@@ -11,14 +11,20 @@
 
 namespace hitscope::render {
 
+/// Where something is drawn of a picture of that size, pixels; null: everywhere.
+struct TilesOfPicture {
+    const MarkedTiles* tiles = nullptr;
+    glm::ivec2 picture{0};
+};
+
 /// What of a target can be seen in a picture.
 class Sight {
 public:
     /// toClip: from the frame of the boxes to come.
     Sight(const glm::mat4& toClip, const PictureWindow& window)
         : m_toClip(toClip), m_window(toClip, window) {}
-    /// Nothing is drawn but in tiles of a picture of that size, pixels; null: everywhere. They outlive this.
-    void limitTo(const MarkedTiles* tiles, const glm::ivec2& picture);
+    /// Nothing is drawn elsewhere. The tiles outlive this.
+    void limitTo(const TilesOfPicture& tiles);
     /// Nothing is drawn behind what such a picture shows; null: nothing is hidden. Likewise.
     void hideBehind(const FrontDepths* front, const glm::ivec2& picture);
     [[nodiscard]] bool mayShow(const Bounds& box) const;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "render/refined/refined_picture.h"
+#include "render/renderer.h"
 #include "scene/frame_parts.h"
 
 namespace hitscope {
@@ -91,9 +92,21 @@ RefinedKey::RefinedKey(const FrameParts& parts)
 }  // namespace
 
 struct RefinedView::Private {
+    /// What a patch depends on.
+    struct Asked {
+        RefinedKey key;
+        std::vector<std::uint64_t> settled;  ///< of the frame's targets
+        std::vector<std::uint64_t> moments;  ///< of the picture's
+        PixelArea rough;
+        float shadowMargin;
+        bool isHurried;
+        bool operator==(const Asked&) const = default;
+    };
     explicit Private(RefinedPicture::Extent extent) : picture(extent) {}
     RefinedPicture picture;
     std::optional<RefinedKey> key;
+    std::optional<Asked> asked;
+    std::optional<PicturePatch> patch;  ///< the answer
 };
 
 RefinedView::RefinedView(Pixels pixels)
@@ -130,11 +143,30 @@ void RefinedView::forget() {
 }
 
 bool RefinedView::isPatchable(const FrameParts& parts, bool inFull) const {
-    if (!d->key || !d->picture.isKept()) {
+    if (!d->key || !d->picture.hasPicture()) {
         return false;
     }
     const RefinedKey key(parts);
     return key == *d->key ? inFull && isRough() : d->key->isSameButForVertices(key);
+}
+
+std::optional<PicturePatch> RefinedView::patchFor(const FrameParts& parts, bool isHurried,
+                                                  const std::function<std::optional<PicturePatch>()>& find) {
+    const std::span<const std::uint64_t> moments = d->picture.moments();
+    Private::Asked asked{.key = RefinedKey(parts),
+                         .settled = {},
+                         .moments = {moments.begin(), moments.end()},
+                         .rough = d->picture.rough(),
+                         .shadowMargin = d->picture.shadowMargin(),
+                         .isHurried = isHurried};
+    for (const DrawItem& item : parts.items) {
+        asked.settled.push_back(item.settled);
+    }
+    if (d->asked != asked) {
+        d->patch = find();
+        d->asked = std::move(asked);
+    }
+    return d->patch;
 }
 
 bool RefinedView::has(const FrameParts& parts, bool inFull) const {

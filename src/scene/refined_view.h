@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <optional>
 
 namespace hitscope {
 
 struct FrameParts;
+struct PicturePatch;
 class RefinedPicture;
 
 /// A refined picture, and what it is a picture of: everything but the marks over it, so that these can change
@@ -48,6 +51,10 @@ public:
     [[nodiscard]] bool isPatchable(const FrameParts& parts, bool inFull) const;
     /// Whether it is this one, and good enough to be shown; no other is side by side.
     [[nodiscard]] bool has(const FrameParts& parts, bool inFull) const;
+    /// What `find` returns, which is called again only for another frame, or once the picture is another:
+    /// what comes before a picture asks for the same patch as the picture itself.
+    [[nodiscard]] std::optional<PicturePatch> patchFor(
+        const FrameParts& parts, bool isHurried, const std::function<std::optional<PicturePatch>()>& find);
     /// It was drawn as it is. isMoving: something was over it that is elsewhere in the next picture.
     void keptShown(bool isMoving);
     /// Its plain picture was drawn, in place of too few samples.

@@ -144,7 +144,9 @@ SceneGpu::Private::Choice SceneGpu::Private::choose(const View& shown, RefinedVi
     if (!refined->isPatchable(*parts, inFull)) {
         return choice;
     }
-    choice.patch = renderer->patchFor(parts->frame, *pipeline, refined->picture(), !inFull);
+    choice.patch = refined->patchFor(*parts, !inFull, [&] {
+        return renderer->patchFor(parts->frame, *pipeline, refined->picture(), !inFull);
+    });
     if (choice.patch) {
         choice.view = full;
         choice.view.detail.coarse = choice.patch->isCoarse;

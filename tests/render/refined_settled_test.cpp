@@ -2,6 +2,7 @@
 // Pixels whose first samples are alike get no more, where the CPU draws: the picture is as good as with all
 // samples.
 #include <QTest>
+#include <algorithm>
 #include <glm/ext/matrix_transform.hpp>
 #include <numeric>
 #include <vector>
@@ -37,6 +38,7 @@ private Q_SLOTS:
     void neitherTransparentNorGpu();
     void tiles_data();
     void tiles();
+    void tilesAroundParts();
     void trianglesElsewhereAreLeftOut();
     void hidesWhatIsBehindAllPixels();
     void hiddenTrianglesAreLeftOut();
@@ -185,6 +187,30 @@ void RefinedSettledTest::tiles() {
     QVERIFY(!marked.any({left, low + 8, 8, 8}));
 }
 
+void RefinedSettledTest::tilesAroundParts() {
+    const std::vector<PixelArea> parts{{5, 3, 10, 20}, {6, 4, 2, 2}, {40, 3, 1, 1}, {}, {5, 40, 36, 1}};
+    const render::MarkedTiles tiles = render::MarkedTiles::around(parts);
+    const std::vector<PixelArea> rectangles = tiles.rectangles();
+    std::size_t pixels = 0;
+    for (const PixelArea& rectangle : rectangles) {
+        pixels += static_cast<std::size_t>(rectangle.width) * static_cast<std::size_t>(rectangle.height);
+    }
+    QCOMPARE(tiles.pixels(), pixels);  // which would be more if they overlapped and nothing were left out
+    for (int y = 0; y < 60; ++y) {
+        for (int x = 0; x < 60; ++x) {
+            const auto holds = [x, y](const PixelArea& area) {
+                return !intersected(area, PixelArea{x, y, 1, 1}).empty();
+            };
+            const bool isDrawn = std::any_of(rectangles.begin(), rectangles.end(), holds);
+            QCOMPARE(tiles.any({x, y, 1, 1}), isDrawn);
+            QVERIFY(isDrawn || std::none_of(parts.begin(), parts.end(), holds));
+        }
+    }
+    QCOMPARE(rectangles.size(), std::size_t{4});
+    QVERIFY(!tiles.any({30, 12, 8, 20}));
+    QVERIFY(render::MarkedTiles::around({}).rectangles().empty());
+}
+
 void RefinedSettledTest::trianglesElsewhereAreLeftOut() {
     const Frame view = frame({});
     const DrawItem& item = view.targets[0];
@@ -192,7 +218,7 @@ void RefinedSettledTest::trianglesElsewhereAreLeftOut() {
     const std::uint32_t all = item.buffers->triangleIndexCount();
     const auto seenIn = [&](const render::MarkedTiles* tiles) {
         render::Sight sight(view.camera.projection(aspect) * view.camera.view() * item.model, {});
-        sight.limitTo(tiles, {kWidth, kHeight});
+        sight.limitTo({tiles, {kWidth, kHeight}});
         const auto runs = render::visibleRuns(item, view, *m_refined.pipeline, sight,
                                               item.buffers->triangleRuns(), {0, all});
         return runs ? countOf(*runs) : all;

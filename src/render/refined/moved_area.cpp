@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
 
 #include "render/refined/refined_picture.h"
@@ -82,7 +83,8 @@ std::vector<Bounds> trianglesAt(std::span<const Bounds> places, const DrawItem& 
             there.push_back(i);
         }
     }
-    if (found.size() > kFew || item.vertices.size() != item.buffers->vertexCount()) {
+    const bool areTrianglesKnown = &runs == &item.buffers->triangleRuns();
+    if (found.size() > kFew || !areTrianglesKnown || item.vertices.size() != item.buffers->vertexCount()) {
         return found;
     }
     found.clear();
@@ -107,10 +109,16 @@ std::optional<std::span<const Bounds>> placesMoved(const DrawItem& item, const D
     return reach != nullptr ? reach->movedSince(std::min(moment, item.settled)) : std::nullopt;
 }
 
+/// Of the triangles that the frame draws.
+const ClusterRuns& runsOf(const DrawItem& item, const Frame& frame) {
+    const bool isCoarse = drawsOf(item, frame.coarse).data() != item.buffers->draws().data();
+    return isCoarse ? item.buffers->coarseRuns() : item.buffers->triangleRuns();
+}
+
 std::optional<std::vector<Bounds>> runBoxesOf(const DrawItem& item, const Frame& frame,
                                               const DeformationPipeline& pipeline) {
     const std::optional<ClusterBoxes> boxes = clusterBoxesOf(item, frame, pipeline);
-    const ClusterRuns& runs = item.buffers->triangleRuns();
+    const ClusterRuns& runs = runsOf(item, frame);
     if (!boxes || runs.runs().empty()) {
         return std::nullopt;
     }
@@ -123,8 +131,8 @@ std::optional<std::vector<Bounds>> runBoxesOf(const DrawItem& item, const Frame&
 }
 
 std::vector<Bounds> trianglesMoved(std::span<const Bounds> places, const DrawItem& item,
-                                   std::span<const Bounds> boxes) {
-    std::vector<Bounds> found = trianglesAt(places, item, boxes, item.buffers->triangleRuns());
+                                   std::span<const Bounds> boxes, const ClusterRuns& runs) {
+    std::vector<Bounds> found = trianglesAt(places, item, boxes, runs);
     found.insert(found.end(), places.begin(), places.end());
     return found;
 }
@@ -143,12 +151,65 @@ std::optional<MovedBoxes> movedBoxes(const DrawItem& item, const Frame& frame,
     if (!boxes) {
         return std::nullopt;
     }
-    all.shape = trianglesMoved(*moved, item, *boxes);
-    all.looks = trianglesAt(all.shape, item, *boxes, item.buffers->triangleRuns());
+    const ClusterRuns& runs = runsOf(item, frame);
+    all.shape = trianglesMoved(*moved, item, *boxes, runs);
+    all.looks = trianglesAt(all.shape, item, *boxes, runs);
     return all;
 }
 
-bool addAll(SeenArea& seen, std::span<const Bounds> boxes, const DrawItem& item) {
+/// Where boxes of the world are seen in a picture, one by one.
+class SeenParts {
+public:
+    SeenParts(const glm::mat4& toClip, const glm::ivec2& picture) : m_toClip(toClip), m_picture(picture) {}
+
+    /// False: part of the box is behind the eye.
+    bool add(const Bounds& box) { return addBetween(box, box, 0.0f, 0.0f); }
+    /// All between one box and another, which takes more parts the longer the way is.
+    bool addWay(const Bounds& from, const Bounds& to);
+
+    [[nodiscard]] std::vector<PixelArea> take() { return std::move(m_parts); }
+
+private:
+    bool addBetween(const Bounds& from, const Bounds& to, float begin, float end);
+
+    glm::mat4 m_toClip;
+    glm::ivec2 m_picture;
+    std::vector<PixelArea> m_parts;
+};
+
+bool SeenParts::addBetween(const Bounds& from, const Bounds& to, float begin, float end) {
+    SeenArea seen(m_toClip);
+    for (const float share : {begin, end}) {
+        if (!seen.add({glm::mix(from.min, to.min, share), glm::mix(from.max, to.max, share)})) {
+            return false;
+        }
+    }
+    if (const PixelArea part = seen.in(m_picture); !part.empty()) {
+        m_parts.push_back(part);
+    }
+    return true;
+}
+
+bool SeenParts::addWay(const Bounds& from, const Bounds& to) {
+    constexpr int kMostSteps = 32;
+    constexpr int kStep = 16;  // pixels
+    SeenArea both(m_toClip);
+    if (!both.add(from) || !both.add(to)) {
+        return false;
+    }
+    const PixelArea all = both.in(m_picture);
+    const int steps = std::clamp(std::max(all.width, all.height) / kStep, 1, kMostSteps);
+    for (int step = 0; step < steps; ++step) {
+        const auto share = [steps](int at) { return static_cast<float>(at) / static_cast<float>(steps); };
+        if (!addBetween(from, to, share(step), share(step + 1))) {
+            return false;
+        }
+    }
+    return true;
+}
+
+template <class Seen>
+bool addAll(Seen& seen, std::span<const Bounds> boxes, const DrawItem& item) {
     return std::all_of(boxes.begin(), boxes.end(),
                        [&](const Bounds& box) { return seen.add(inWorld(box, item)); });
 }
@@ -158,6 +219,21 @@ struct Caster {
     float lightRadius = 0.0f;
     float texel = 0.0f;
 };
+
+/// With all that they may shade, each of them.
+bool addShadows(SeenParts& seen, std::span<const Bounds> casters, const DrawItem& item, const Frame& frame,
+                const Caster& light) {
+    constexpr std::size_t kMany = 1024;
+    if (!ShadowMap::isWanted(frame)) {
+        return true;
+    }
+    const auto add = [&](const Bounds& box) {
+        const Bounds caster = grown(inWorld(box, item), kShadowTexels * light.texel);
+        const std::optional<Bounds> shadow = floorShadowOf(caster, frame, light.lightRadius, light.texel);
+        return shadow && seen.addWay(caster, *shadow);
+    };
+    return casters.size() > kMany ? add(around(casters)) : std::all_of(casters.begin(), casters.end(), add);
+}
 
 /// With all that it may shade.
 bool addShadow(SeenArea& seen, std::span<const Bounds> casters, const DrawItem& item, const Frame& frame,
@@ -196,7 +272,7 @@ std::optional<std::vector<Bounds>> movedTriangles(const DrawItem& item, const Fr
         return moved ? std::optional(std::vector<Bounds>()) : std::nullopt;
     }
     const std::optional<std::vector<Bounds>> boxes = runBoxesOf(item, frame, pipeline);
-    return boxes ? std::optional(trianglesMoved(*moved, item, *boxes)) : std::nullopt;
+    return boxes ? std::optional(trianglesMoved(*moved, item, *boxes, runsOf(item, frame))) : std::nullopt;
 }
 
 std::optional<MovedArea> movedArea(const FrameContext& context, const DeformationPipeline& pipeline,
@@ -205,7 +281,8 @@ std::optional<MovedArea> movedArea(const FrameContext& context, const Deformatio
     if (mayChangeElsewhere(frame) || moments.size() != frame.targets.size()) {
         return std::nullopt;
     }
-    SeenArea seen(context.viewProjection);
+    const glm::ivec2 picture(frame.width, frame.height);
+    SeenParts seen(context.viewProjection, picture);
     SeenArea refined(context.viewProjection);
     bool isRefinedKnown = true;
     const float texel = ShadowMap::isWanted(frame) ? shadowTexel(frame, pipeline) : 0.0f;
@@ -213,13 +290,12 @@ std::optional<MovedArea> movedArea(const FrameContext& context, const Deformatio
         const DrawItem& item = frame.targets[i];
         const std::optional<MovedBoxes> moved = movedBoxes(item, frame, pipeline, moments[i]);
         if (!moved || !addAll(seen, moved->shape, item) || !addAll(seen, moved->looks, item) ||
-            !addShadow(seen, moved->shape, item, frame, {0.0f, texel})) {
+            !addShadows(seen, moved->shape, item, frame, {0.0f, texel})) {
             return std::nullopt;
         }
         isRefinedKnown = isRefinedKnown && addRefined(refined, *moved, item, frame, texel);
     }
-    const glm::ivec2 picture(frame.width, frame.height);
-    MovedArea area{seen.in(picture), std::nullopt};
+    MovedArea area{seen.take(), std::nullopt};
     if (isRefinedKnown) {
         const PixelArea moved = refined.in(picture);
         area.refined = moved.empty() ? moved : widened(moved, kFloorOpenReach);
@@ -243,13 +319,15 @@ std::size_t trianglesOf(const Frame& frame) {
 }
 
 std::size_t trianglesWithin(const FrameContext& context, const DeformationPipeline& pipeline,
-                            const glm::mat4& viewProjection, const PictureWindow& window) {
+                            const glm::mat4& viewProjection, const PictureWindow& window,
+                            const TilesOfPicture& tiles) {
     std::size_t triangles = 0;
     for (const DrawItem& item : context.frame.targets) {
         const std::uint32_t all = item.buffers->triangleIndexCount();
+        Sight sight(viewProjection * item.model, window);
+        sight.limitTo(tiles);
         const auto seen =
-            visibleRuns(item, context.frame, pipeline, Sight(viewProjection * item.model, window),
-                        item.buffers->triangleRuns(), {0, all});
+            visibleRuns(item, context.frame, pipeline, sight, item.buffers->triangleRuns(), {0, all});
         triangles += (seen ? countOf(*seen) : all) / 3;
     }
     return triangles;

@@ -10,6 +10,7 @@
 #include "pipeline/deformation_pipeline.h"
 #include "render/frame_context.h"
 #include "render/pixel_area.h"
+#include "render/visible_runs.h"
 
 namespace hitscope::render {
 
@@ -26,16 +27,17 @@ namespace hitscope::render {
 /// moved surfaces were and are, what is around them, whose normals follow, and all that their shadows may
 /// fall on. Nothing: it is not known, or anything differs.
 struct MovedArea {
-    PixelArea plain;
+    std::vector<PixelArea> plain;      ///< they may overlap
     std::optional<PixelArea> refined;  ///< see PicturePatch
 };
 [[nodiscard]] std::optional<MovedArea> movedArea(const FrameContext& context,
                                                  const DeformationPipeline& pipeline,
                                                  std::span<const std::uint64_t> moments);
 
-/// Triangles that drawing within a window takes.
+/// Triangles that drawing within a window, and tiles of it, takes.
 [[nodiscard]] std::size_t trianglesWithin(const FrameContext& context, const DeformationPipeline& pipeline,
-                                          const glm::mat4& viewProjection, const PictureWindow& window);
+                                          const glm::mat4& viewProjection, const PictureWindow& window,
+                                          const TilesOfPicture& tiles = {});
 
 /// Of all targets.
 [[nodiscard]] std::size_t trianglesOf(const Frame& frame);

@@ -52,6 +52,7 @@ void RefinedPicture::clear() {
     m_hasPlain = false;
     m_taken = {};
     m_rough = {};
+    m_roughParts.clear();
     m_unrefined.reset();
     forgetSamples();
 }
@@ -72,6 +73,7 @@ void RefinedPicture::plainDrawn(std::vector<std::uint64_t> moments, float shadow
     m_hasPlain = true;
     m_nextPart = 0;
     m_rough = {};
+    m_roughParts.clear();
     m_moments = std::move(moments);
 }
 
@@ -89,8 +91,40 @@ Status RefinedPicture::keepMean(render::ProgramCache& programs, GLuint emptyArra
     return drawn;
 }
 
+Status RefinedPicture::takeFromSample(render::ProgramCache& programs, GLuint emptyArray,
+                                      std::span<const PixelArea> parts) {
+    const auto found = programs.get("refined.vert", "refined.frag", {{"HITSCOPE_DEPTHS", "1"}});
+    if (!found) {
+        return found.error();
+    }
+    const gl::Program& program = *found.value();
+    glBindFramebuffer(GL_FRAMEBUFFER, m_plain.id());
+    glViewport(0, 0, m_width, m_height);
+    glDisable(GL_BLEND);
+    // Depths are written only where the test is on.
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_ALWAYS);
+    glDepthMask(GL_TRUE);
+    program.use();
+    program.set("u_picture", 0);
+    program.set("u_depths", 1);
+    program.set("u_share", 1.0f);
+    bind(1, m_sampleDepth);
+    bind(0, m_sampleColour);
+    glBindVertexArray(emptyArray);
+    for (const PixelArea& part : parts) {
+        render::limitDrawing(part);
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+    }
+    glDisable(GL_SCISSOR_TEST);
+    glDepthFunc(GL_LESS);
+    glDisable(GL_DEPTH_TEST);
+    return Done{};
+}
+
 void RefinedPicture::patched(const PicturePatch& patch, std::vector<std::uint64_t> moments) {
     m_rough = patch.isCoarse ? patch.area : PixelArea();
+    m_roughParts = patch.isCoarse ? patch.parts : std::vector<PixelArea>();
     if (m_samples >= kUsualSamples) {
         m_unrefined = PixelArea();
     }
@@ -161,10 +195,8 @@ void RefinedPicture::makePart(int part, const glm::ivec2& size) {
             break;
         }
         default:
-            m_sampleDepth = gl::Renderbuffer::make();
-            glBindRenderbuffer(GL_RENDERBUFFER, m_sampleDepth.id());
-            glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH24_STENCIL8, size.x, size.y);
-            glBindRenderbuffer(GL_RENDERBUFFER, 0);
+            m_sampleDepth =
+                makeTexture(GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, size.x, size.y);
             break;
     }
     glBindTexture(GL_TEXTURE_2D, 0);
@@ -173,11 +205,9 @@ void RefinedPicture::makePart(int part, const glm::ivec2& size) {
 bool RefinedPicture::makeFramebuffers() {
     m_plain = makeFramebuffer(m_colour.id(), m_depths.id());
     m_sample = makeFramebuffer(m_sampleColour.id(), 0);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER,
-                              m_sampleDepth.id());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_TEXTURE_2D, m_sampleDepth.id(), 0);
     m_adding = makeFramebuffer(m_sum.id(), 0);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER,
-                              m_sampleDepth.id());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_TEXTURE_2D, m_sampleDepth.id(), 0);
     for (std::size_t i = 0; i < m_floor.size(); ++i) {
         m_drawnFloor[i] = makeFramebuffer(m_floor[i].id(), 0);
     }

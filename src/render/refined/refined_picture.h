@@ -51,13 +51,13 @@ public:
     [[nodiscard]] int samples() const { return m_samples; }
     /// Whether there is anything to draw: a sample, or what has to be known before the first one, which is a
     /// picture too.
-    [[nodiscard]] bool hasPicture() const { return m_hasPlain && (m_rough.empty() || m_nextPart == 0); }
+    [[nodiscard]] bool hasPicture() const { return m_hasPlain; }
     /// Forgets the picture, keeps its buffers.
     void clear();
-    /// Whether there is a picture that may be patched.
-    [[nodiscard]] bool isKept() const { return m_hasPlain; }
     /// Where it has fewer triangles since it was patched, until the first sample is drawn.
     [[nodiscard]] const PixelArea& rough() const { return m_rough; }
+    /// Of that, just where; they do not overlap.
+    [[nodiscard]] std::span<const PixelArea> roughParts() const { return m_roughParts; }
 
     // What follows is the Renderer's.
 
@@ -76,7 +76,11 @@ public:
     [[nodiscard]] Status keepMean(render::ProgramCache& programs, GLuint emptyArray);
     /// Whether draw() would draw the plain picture: there are fewer samples, or it is their mean.
     [[nodiscard]] bool isPlainShown(int fewest) const { return m_samples < fewest || m_kept == m_samples; }
-    /// A part of plainFramebuffer() was drawn again: there are no samples, and the picture has the targets at
+    /// These parts of what is in sampleFramebuffer() become the plain picture's. Leaves framebuffer,
+    /// viewport, scissor and depth test changed.
+    [[nodiscard]] Status takeFromSample(render::ProgramCache& programs, GLuint emptyArray,
+                                        std::span<const PixelArea> parts);
+    /// A part of the plain picture was drawn again: there are no samples, and the picture has the targets at
     /// these moments. Where it was refined in full before, only what differs is refined again.
     void patched(const PicturePatch& patch, std::vector<std::uint64_t> moments);
     /// Whether begin() was called.
@@ -168,6 +172,7 @@ private:
     PixelArea m_taken;  ///< outside of it, the plain picture was never a mean of samples
     int m_kept = 0;     ///< samples that it is the mean of
     PixelArea m_rough;
+    std::vector<PixelArea> m_roughParts;
     std::optional<PixelArea> m_unrefined;  ///< elsewhere the plain picture is refined; nothing: nowhere
     std::vector<std::uint64_t> m_moments;  ///< of the plain picture
     float m_shadowMargin = 0.0f;           ///< likewise
@@ -188,7 +193,7 @@ private:
     /// Of floats, within the area. In place of opacity, if pixels settle: of the first samples the squares of
     /// their brightness, afterwards how many samples there are of each pixel.
     gl::Texture m_sum;
-    gl::Renderbuffer m_sampleDepth;
+    gl::Texture m_sampleDepth;  ///< and stencil
     gl::Framebuffer m_plain;
     gl::Framebuffer m_sample;
     std::array<gl::Framebuffer, 2> m_drawnFloor;

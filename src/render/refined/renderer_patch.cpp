@@ -15,9 +15,9 @@ namespace {
 /// transformed them, which takes it 160 ns each.
 constexpr std::size_t kMostTriangles = 100'000;
 
-bool isMost(const PixelArea& area, const Frame& frame) {
+bool isMost(const MarkedTiles& tiles, const Frame& frame) {
     constexpr double kNearlyWhole = 0.85;
-    return 1.0 * area.width * area.height > kNearlyWhole * frame.width * frame.height;
+    return static_cast<double>(tiles.pixels()) > kNearlyWhole * frame.width * frame.height;
 }
 
 bool hasCoarse(const Frame& frame) {
@@ -29,7 +29,7 @@ bool hasCoarse(const Frame& frame) {
 
 std::optional<PicturePatch> Renderer::patchFor(const Frame& given, const DeformationPipeline& pipeline,
                                                const RefinedPicture& picture, bool isHurried) {
-    if (!d->software || !picture.isKept()) {
+    if (!d->software || !picture.hasPicture()) {
         return std::nullopt;
     }
     const LitFrame lit(given);
@@ -42,15 +42,21 @@ std::optional<PicturePatch> Renderer::patchFor(const Frame& given, const Deforma
         ShadowMap::marginOf(lit.frame(), pipeline) != picture.shadowMargin()) {
         return std::nullopt;  // texels of shadows lie elsewhere now, all over the picture
     }
-    PicturePatch patch{united(moved->plain, picture.rough()), moved->refined};
-    if (isMost(patch.area, given)) {
+    std::vector<PixelArea> parts = moved->plain;
+    parts.insert(parts.end(), picture.roughParts().begin(), picture.roughParts().end());
+    const MarkedTiles tiles = MarkedTiles::around(parts);
+    if (isMost(tiles, given)) {
         return std::nullopt;
     }
+    const glm::ivec2 size(given.width, given.height);
+    PicturePatch patch{.area = intersected(tiles.area(), {0, 0, size.x, size.y}),
+                       .parts = tiles.rectangles(),
+                       .refined = moved->refined};
     if (isHurried && hasCoarse(given)) {
         const std::size_t cast =
             ShadowMap::isWanted(lit.frame()) ? d->shadows.trianglesToDraw(context, pipeline) : 0;
         patch.isCoarse = cast + trianglesWithin(context, pipeline, context.viewProjection,
-                                                windowAround(patch.area, given)) >
+                                                windowAround(patch.area, given), {&tiles, size}) >
                          kMostTriangles;
     }
     return patch;
@@ -76,12 +82,17 @@ Status Renderer::patch(const Frame& given, DeformationPipeline& pipeline, Refine
     }
     if (!patch.area.empty()) {
         context.window = windowAround(patch.area, context.frame);
+        const MarkedTiles tiles = MarkedTiles::around(patch.parts);
+        context.tiles = &tiles;
         const DrawnPixels within{patch.area};
-        if (Status drawn = d->drawPicture(context, pipeline, picture.plainFramebuffer(), &within); !drawn) {
+        if (Status drawn = d->drawPicture(context, pipeline, picture.sampleFramebuffer(), &within); !drawn) {
             return drawn;
         }
         if (Status drawn = d->trails.draw(context); !drawn) {
             return drawn;
+        }
+        if (Status taken = picture.takeFromSample(d->programs, d->emptyArray.id(), patch.parts); !taken) {
+            return taken;
         }
     }
     picture.patched(patch, momentsOf(given));

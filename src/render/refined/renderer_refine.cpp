@@ -104,7 +104,8 @@ std::uint32_t partsOf(const FrameContext& context, const DeformationPipeline& pi
         return 1;
     }
     const std::size_t triangles =
-        context.window ? trianglesWithin(context, pipeline, context.viewProjection, *context.window)
+        context.window ? trianglesWithin(context, pipeline, context.viewProjection, *context.window,
+                                         {context.tiles, {frame.width, frame.height}})
                        : trianglesOf(frame);
     return static_cast<std::uint32_t>(1 + triangles / picture.trianglesAPart());
 }
@@ -142,6 +143,11 @@ Status Renderer::Private::addSample(const Frame& frame, DeformationPipeline& pip
     if (const std::optional<PixelArea> part = picture.partToDraw()) {
         context.window = windowAround(*part, frame);
     }
+    std::optional<MarkedTiles> rough;
+    if (!picture.rough().empty()) {
+        rough = MarkedTiles::around(picture.roughParts());
+        context.tiles = &*rough;
+    }
     context.part.count = picture.nextPart() > 0 ? picture.parts() : partsOf(context, pipeline, picture);
     if (ShadowMap::isWanted(frame)) {
         Frame lit = frame;
@@ -163,14 +169,22 @@ Status Renderer::Private::addSample(const Frame& frame, DeformationPipeline& pip
 
 Status Renderer::Private::drawPlain(FrameContext& context, DeformationPipeline& pipeline,
                                     RefinedPicture& picture) {
+    // Beside the picture, which is shown as it is meanwhile.
     const DrawnPixels rough{picture.rough()};
-    if (Status drawn = drawPart(context, pipeline, picture, picture.plainFramebuffer(),
-                                rough.area.empty() ? nullptr : &rough);
+    const bool isRough = !rough.area.empty();
+    if (Status drawn = drawPart(context, pipeline, picture,
+                                isRough ? picture.sampleFramebuffer() : picture.plainFramebuffer(),
+                                isRough ? &rough : nullptr);
         !drawn || !context.part.isLast()) {
         return drawn;
     }
     if (Status drawn = trails.draw(context); !drawn) {
         return drawn;
+    }
+    if (isRough) {
+        if (Status taken = picture.takeFromSample(programs, emptyArray.id(), picture.roughParts()); !taken) {
+            return taken;
+        }
     }
     picture.plainDrawn(momentsOf(context.frame),
                        context.shadows != nullptr ? context.shadows->margin() : 0.0f);
