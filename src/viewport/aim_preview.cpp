@@ -18,8 +18,13 @@ namespace hitscope {
 
 namespace {
 
-constexpr int kBeside = 18;            // pixels from the cursor to the label
-constexpr double kMillimetre = 0.001;  // metres
+constexpr int kBeside = 18;  // pixels from the cursor to the label
+
+/// "2.500", "0.381", "0.00381": at least three digits that count.
+QString depthText(double metres) {
+    constexpr double kThreeDecimals = 0.1;  // metres: below, three decimals would say too little
+    return metres >= kThreeDecimals ? shownNumber(metres, 'f', 3) : shownNumber(metres, 'g', 3);
+}
 
 }  // namespace
 
@@ -150,9 +155,8 @@ void AimPreview::show() {
     }
     m_viewport.decorations().setGhost(std::move(ghost));
     const std::size_t count = preview.affectedVertices;
-    const auto metres = static_cast<double>(preview.depth);
-    const QString depth = metres >= kMillimetre ? shownNumber(metres, 'f', 3) : shownNumber(metres, 'g', 3);
-    QString text = tr("%Ln {vertex|vertices}, %1 m deep", nullptr, trCount(count)).arg(depth);
+    QString text = tr("%Ln {vertex|vertices}, %1 m deep", nullptr, trCount(count))
+                       .arg(depthText(static_cast<double>(preview.depth)));
     if (hit->constants.maxMagnitude <= 0.0f) {
         text += tr("\nThe max magnitude is 0: a hit moves nothing");
     } else if (count < kFewVertices) {

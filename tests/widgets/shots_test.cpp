@@ -30,6 +30,7 @@ private Q_SLOTS:
     void init();
     void cleanup() { dropWindow(); }
     void restingCursorForetells();
+    void shallowDentsHaveDigitsThatCount();
     void previewCanBeTurnedOff();
     void previewGoesWhereAHandleIs();
     void previewGoesWithAnEdit();
@@ -91,6 +92,16 @@ void ShotsTest::restingCursorForetells() {
     QCOMPARE(foretold.contains(QStringLiteral("Ctrl+R")), made.changedVertices < AimPreview::kFewVertices);
     QCOMPARE(foretold.section(u'\n', 0, 0),
              QStringLiteral("%1 vertices, %2 m deep").arg(made.changedVertices).arg(made.maximum, 0, 'f', 3));
+}
+
+void ShotsTest::shallowDentsHaveDigitsThatCount() {
+    ConstantsSetting setting = m_session->settings().constantsSetting();
+    setting.relative = false;
+    setting.constants.maxMagnitude = 0.00381f;
+    QVERIFY(m_session->settings().setConstants(setting).ok());
+    moveTo(m_window->viewport().rect().center());
+    QTRY_VERIFY_WITH_TIMEOUT(label().isVisible(), kPatience);
+    QVERIFY2(label().text().contains(QStringLiteral(" 0.00381 m deep")), qPrintable(label().text()));
 }
 
 void ShotsTest::previewCanBeTurnedOff() {
