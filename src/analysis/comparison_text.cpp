@@ -8,8 +8,8 @@
 namespace hitscope {
 
 QString comparisonText(const Comparison& comparison) {
-    const auto tr = [](const char* words) {
-        return QCoreApplication::translate("hitscope::Comparison", words);
+    const auto tr = [](const char* words, std::size_t count) {
+        return QCoreApplication::translate("hitscope::Comparison", words, nullptr, trCount(count));
     };
     if (!comparison.other()) {
         return {};
@@ -18,29 +18,30 @@ QString comparisonText(const Comparison& comparison) {
         return comparison.failure();
     }
     const Comparison::Report& report = comparison.report();
-    const QString vertices = shownCount(report.vertices);
     QString text;
     if (report.vertices == 0) {
-        text = tr(QT_TRANSLATE_NOOP("hitscope::Comparison", "A and B are equal: no vertex has moved"));
+        text = tr(QT_TRANSLATE_N_NOOP("hitscope::Comparison", "A and B are equal: no vertex has moved"), 0);
     } else if (report.largest == 0.0) {
-        text = tr(QT_TRANSLATE_NOOP("hitscope::Comparison", "A and B are equal in all %1 moved vertices"))
-                   .arg(vertices);
+        text = tr(QT_TRANSLATE_N_NOOP("hitscope::Comparison",
+                                      "A and B are equal in {the only moved vertex|all %Ln moved vertices}"),
+                  report.vertices);
     } else {
-        text = tr(QT_TRANSLATE_NOOP("hitscope::Comparison",
-                                    "A and B differ by up to %1 m (RMS %2 m over %3 moved vertices)"))
-                   .arg(shownNumber(report.largest, 'g', 4), shownNumber(report.rootMeanSquare, 'g', 4),
-                        vertices);
+        text = tr(QT_TRANSLATE_N_NOOP("hitscope::Comparison",
+                                      "A and B differ by up to %1 m (RMS %2 m over "
+                                      "%Ln moved {vertex|vertices})"),
+                  report.vertices)
+                   .arg(shownNumber(report.largest, 'g', 4), shownNumber(report.rootMeanSquare, 'g', 4));
     }
     if (report.droppedByFirst > 0) {
-        text += tr(QT_TRANSLATE_NOOP("hitscope::Comparison", "; A has dropped %1 hits"))
-                    .arg(shownCount(report.droppedByFirst));
+        text += tr(QT_TRANSLATE_N_NOOP("hitscope::Comparison", "; A has dropped %Ln {hit|hits}"),
+                   report.droppedByFirst);
     }
     if (report.droppedHits > 0) {
-        text += tr(QT_TRANSLATE_NOOP("hitscope::Comparison", "; B has dropped %1 hits"))
-                    .arg(shownCount(report.droppedHits));
+        text += tr(QT_TRANSLATE_N_NOOP("hitscope::Comparison", "; B has dropped %Ln {hit|hits}"),
+                   report.droppedHits);
     }
     if (comparison.showsCountsOfFirst()) {
-        text += tr(QT_TRANSLATE_NOOP("hitscope::Comparison", "; the colours count the hits of A"));
+        text += tr(QT_TRANSLATE_N_NOOP("hitscope::Comparison", "; the colours count the hits of A"), 0);
     }
     return text;
 }

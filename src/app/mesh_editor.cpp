@@ -51,8 +51,10 @@ struct MeshEditor::Edit : Work {
     Status take(Session& session) override { return takeEdited(session, after, edit); }
     [[nodiscard]] QString said() const override {
         const MeshData& mesh = *after.shape.mesh;
-        const QString now = tr("%1: %2 vertices, %3 faces now")
-                                .arg(before.name, countText(mesh.vertexCount()), countText(mesh.faceCount()));
+        const QString now =
+            tr("%1: %2, %3 now")
+                .arg(before.name, tr("%Ln {vertex|vertices}", nullptr, trCount(mesh.vertexCount())),
+                     tr("%Ln {face|faces}", nullptr, trCount(mesh.faceCount())));
         const bool applies = edit.appliesHits || std::holds_alternative<MergedHits>(edit.step);
         const auto hits = static_cast<std::size_t>(
             std::count_if(edit.hits.begin(), edit.hits.end(), [](const Hit& hit) { return hit.enabled; }));

@@ -8,6 +8,7 @@
 #include <QPushButton>
 
 #include "app/mesh_reloader.h"
+#include "session/shown_number.h"
 
 namespace hitscope {
 
@@ -45,8 +46,9 @@ void ReloadBar::follow() {
     }
     const QString first = names.mid(0, kMostNames).join(QStringLiteral(", "));
     if (names.size() > kMostNames) {
-        m_text->setText(tr("%1 and %2 other files have changed on the disk.")
-                            .arg(first, QString::number(names.size() - kMostNames)));
+        m_text->setText(tr("%1 and %Ln other {file|files} have changed on the disk.", nullptr,
+                           static_cast<int>(names.size() - kMostNames))
+                            .arg(first));
     } else if (names.size() > 1) {
         m_text->setText(tr("%1 have changed on the disk.").arg(first));
     } else {

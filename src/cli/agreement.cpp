@@ -27,15 +27,17 @@ QString nameOfActive(const Session& session) {
 
 /// "870 of 4966 vertices differ from the reference, by 3.3 m at most".
 QString differenceText(const ReferenceAgreement& agreement) {
+    const auto countText = [&agreement](std::uint64_t different) {
+        return QStringLiteral("%1 of %2 vertices %3 from the reference")
+            .arg(different)
+            .arg(agreement.vertices)
+            .arg(different == 1 ? QStringLiteral("differs") : QStringLiteral("differ"));
+    };
     if (agreement.different == 0) {
-        return QStringLiteral("%1 of %2 vertices differ from the reference, in the paper's normal alone")
-            .arg(agreement.differentNormal)
-            .arg(agreement.vertices);
+        return countText(agreement.differentNormal) + QStringLiteral(", in the paper's normal alone");
     }
-    QString text = QStringLiteral("%1 of %2 vertices differ from the reference, by %3 m at most")
-                       .arg(agreement.different)
-                       .arg(agreement.vertices)
-                       .arg(QString::number(agreement.largest, 'g', 3));
+    QString text = countText(agreement.different) +
+                   QStringLiteral(", by %1 m at most").arg(QString::number(agreement.largest, 'g', 3));
     if (agreement.differentNormal > 0) {
         text += QStringLiteral(", and %1 in the paper's normal alone").arg(agreement.differentNormal);
     }

@@ -117,10 +117,11 @@ void addDifference(JsonReport& report, QString& text, const TargetShape& a, cons
     report.beginObject().text("name", a.name).count("vertices", difference.vertices);
     report.count("different", difference.different).number("largest_m", difference.largest);
     report.number("rms_m", difference.rootMeanSquare);
-    text += QStringLiteral("%1: %2 of %3 vertices differ")
+    text += QStringLiteral("%1: %2 of %3 vertices %4")
                 .arg(a.name)
                 .arg(difference.different)
-                .arg(difference.vertices);
+                .arg(difference.vertices)
+                .arg(difference.different == 1 ? QStringLiteral("differs") : QStringLiteral("differ"));
     if (difference.different > 0) {
         const glm::dvec3 at = inFile(a, difference.vertex);
         report.count("vertex", std::uint64_t{difference.vertex} + 1);

@@ -27,13 +27,15 @@ void VertexDifference::add(std::span<const DynamicVertex> actual, std::span<cons
 
 std::string describe(const VertexDifference& difference) {
     std::ostringstream text;
-    text << grouped(difference.different) << " of " << grouped(difference.vertices) << " vertices differ, ";
+    const bool isOne = difference.different == 1;
+    text << grouped(difference.different) << " of " << grouped(difference.vertices)
+         << (isOne ? " vertices differs, " : " vertices differ, ");
     if (difference.largest > 0.0f) {
         constexpr int kDigits = 2;
         text.precision(kDigits);
         text << "by up to " << difference.largest << " m";
     } else {
-        text << "in their normals only";
+        text << (isOne ? "in its normal only" : "in their normals only");
     }
     return text.str();
 }

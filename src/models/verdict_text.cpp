@@ -14,6 +14,8 @@ struct VerdictTexts {
 };
 
 #define HITSCOPE_TEXT(text) VerdictTexts::tr(QT_TRANSLATE_NOOP("hitscope::Verdict", text))
+#define HITSCOPE_COUNT(text, count) \
+    VerdictTexts::tr(QT_TRANSLATE_N_NOOP("hitscope::Verdict", text), nullptr, trCount(count))
 
 QString notCompared(const std::string& whyNot) {
     return HITSCOPE_TEXT("not compared: %1").arg(QString::fromStdString(whyNot));
@@ -30,12 +32,15 @@ QString verdictText(const PipelineVerdict& verdict) {
     if (verdict.isExact()) {
         return HITSCOPE_TEXT("bit-exact in %1 vertices compared").arg(vertices);
     }
-    const QString different = shownCount(compared.different);
     return compared.largest > 0.0f
-               ? HITSCOPE_TEXT("not bit-exact: %1 of %2 vertices differ, by up to %3 m")
-                     .arg(different, vertices, shownNumber(static_cast<double>(compared.largest), 'g', 2))
-               : HITSCOPE_TEXT("not bit-exact: %1 of %2 vertices differ, in their normals only")
-                     .arg(different, vertices);
+               ? HITSCOPE_COUNT("not bit-exact: %Ln of %1 vertices {differs|differ}, by up to %2 m",
+                                compared.different)
+                     .arg(vertices, shownNumber(static_cast<double>(compared.largest), 'g', 2))
+               : HITSCOPE_COUNT(
+                     "not bit-exact: %Ln of %1 vertices {differs|differ}, in "
+                     "{its normal|their normals} only",
+                     compared.different)
+                     .arg(vertices);
 }
 
 QString verdictText(const PickingVerdict& verdict) {
@@ -58,6 +63,7 @@ QString verdictText(const RendererVerdict& verdict, PipelineKind kind) {
         known != nullptr ? verdictText(*known) : HITSCOPE_TEXT("not compared yet"));
 }
 
+#undef HITSCOPE_COUNT
 #undef HITSCOPE_TEXT
 
 }  // namespace hitscope

@@ -17,7 +17,8 @@ private Q_SLOTS:
         QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedStates));
         for (const PipelineVerdict& verdict :
              {PipelineVerdict{{15000, 0, 0.0f}, {}}, PipelineVerdict{{15000, 1200, 0.0934f}, {}},
-              PipelineVerdict{{15000, 12, 0.0f}, {}}, PipelineVerdict{{}, "no such driver"}}) {
+              PipelineVerdict{{15000, 12, 0.0f}, {}}, PipelineVerdict{{15000, 1, 0.5f}, {}},
+              PipelineVerdict{{15000, 1, 0.0f}, {}}, PipelineVerdict{{}, "no such driver"}}) {
             QCOMPARE(verdictText(verdict), QString::fromStdString(describe(verdict)));
         }
         for (const PickingVerdict& verdict :
@@ -30,6 +31,13 @@ private Q_SLOTS:
         for (const PipelineTraits& traits : allPipelines()) {
             QCOMPARE(verdictText(all, traits.kind), QString::fromStdString(describe(all, traits.kind)));
         }
+    }
+
+    void oneVertexDiffers() {
+        QCOMPARE(verdictText(PipelineVerdict{{2000, 1, 0.5f}, {}}),
+                 QStringLiteral("not bit-exact: 1 of 2,000 vertices differs, by up to 0.5 m"));
+        QCOMPARE(verdictText(PipelineVerdict{{2000, 1, 0.0f}, {}}),
+                 QStringLiteral("not bit-exact: 1 of 2,000 vertices differs, in its normal only"));
     }
 
     void numbersAreTheLocales() {

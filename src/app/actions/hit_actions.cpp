@@ -11,10 +11,10 @@
 #include "analysis/beside.h"
 #include "analysis/hit_files.h"
 #include "app/dialogs/dialogs.h"
-#include "models/quantity_text.h"
 #include "panels/fields/save_name.h"
 #include "panels/help/help_text.h"
 #include "panels/hit_history/hit_history_panel.h"
+#include "session/shown_number.h"
 
 namespace hitscope {
 
@@ -105,7 +105,7 @@ void HitActions::exportTo(const QString& path) {
         return [this, path, written, hits] {
             if (written) {
                 Q_EMIT exported();
-                Q_EMIT said(tr("Exported %1 hits to %2").arg(countText(hits), path));
+                Q_EMIT said(tr("Exported %Ln {hit|hits} to %1", nullptr, trCount(hits)).arg(path));
             } else {
                 Q_EMIT failed(written.error());
             }
@@ -143,12 +143,11 @@ void HitActions::takeRecords(const Result<HitRecords>& table, const QString& fro
         const Error& error = taken.error();
         Q_EMIT failed({error.what, QFileInfo(from).fileName().toStdString(), error.advice});
     } else {
-        const QString count = countText(table.value().hits.size());
-        Q_EMIT said(other.isEmpty()
-                        ? tr("Imported %1 hits from %2").arg(count, from)
-                        : tr("Imported %1 hits of “%2” from %3 onto %4")
-                              .arg(count, QString::fromStdString(table.value().targets.begin()->second), from,
-                                   other));
+        const int count = trCount(table.value().hits.size());
+        Q_EMIT said(other.isEmpty() ? tr("Imported %Ln {hit|hits} from %1", nullptr, count).arg(from)
+                                    : tr("Imported %Ln {hit|hits} of “%1” from %2 onto %3", nullptr, count)
+                                          .arg(QString::fromStdString(table.value().targets.begin()->second),
+                                               from, other));
     }
 }
 

@@ -10,6 +10,7 @@
 #include "models/quantity_text.h"
 #include "panels/help/help_text.h"
 #include "session/hit_editing.h"
+#include "session/shown_number.h"
 #include "viewport/viewport.h"
 
 namespace hitscope {
@@ -126,7 +127,8 @@ void MirrorDialog::replan() {
 QString MirrorDialog::summary(const HitPlanner::Plan& plan) const {
     QString text = tr("New hits: %1.").arg(countText(plan.hits.size()));
     if (m_own > 0) {
-        text += u' ' + tr("%1 lie in the plane and are left as they are.").arg(countText(m_own));
+        text += u' ' + tr("%Ln {lies|lie} in the plane and {is left as it is|are left as they are}.", nullptr,
+                          trCount(m_own));
     }
     return text;
 }

@@ -157,7 +157,7 @@ void CostView::measureScene() {
     for (const std::unique_ptr<Target>& target : m_session.targets()) {
         vertices += target->visible ? target->deformed.original().vertexCount() : 0;
     }
-    m_measuredOn = tr("%1, %2 vertices").arg(m_session.sceneName(), countText(vertices));
+    m_measuredOn = tr("%1, %Ln {vertex|vertices}", nullptr, trCount(vertices)).arg(m_session.sceneName());
     m_isOfThisScene = true;
     m_measurement.start(m_session, m_camera ? m_camera() : Camera(), std::move(plan));
 }
@@ -327,8 +327,9 @@ QString CostView::inWords() const {
         if (!at) {
             return tr("nowhere yet");
         }
-        const QString number = shownCount(static_cast<std::size_t>(std::llround(*at)));
-        return axis() == CostAxis::Hits ? tr("from %1 hits").arg(number) : tr("from %1 vertices").arg(number);
+        const int number = trCount(static_cast<std::size_t>(std::llround(*at)));
+        return axis() == CostAxis::Hits ? tr("from %Ln {hit|hits}", nullptr, number)
+                                        : tr("from %Ln {vertex|vertices}", nullptr, number);
     };
     return source + u' ' +
            tr("Crossover, where uniform arrays cost more: %1 in a frame, %2 in a frame that takes a hit.")

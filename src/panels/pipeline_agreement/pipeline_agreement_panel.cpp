@@ -5,6 +5,7 @@
 
 #include "models/quantity_text.h"
 #include "panels/help/help_text.h"
+#include "session/shown_number.h"
 #include "ui_pipeline_agreement.h"
 
 namespace hitscope {
@@ -36,11 +37,12 @@ QString PipelineAgreementPanel::verdict() const {
                        : tr("%1: of %2 vertices, some differ from the reference.");
     text = text.arg(QString::fromUtf8(name), countText(report->vertices));
     if (report->dropped > 0) {
-        text +=
-            u' ' + tr("Without the %1 hits that the pipeline has dropped.").arg(countText(report->dropped));
+        text += u' ' + tr("Without the {hit|%Ln hits} that the pipeline has dropped.", nullptr,
+                          trCount(report->dropped));
     }
     if (report->later > 0) {
-        text += u' ' + tr("Without the %1 hits that are not shown.").arg(countText(report->later));
+        text += u' ' +
+                tr("Without the {hit that is|%Ln hits that are} not shown.", nullptr, trCount(report->later));
     }
     if (m_agreement.isOutOfDate()) {
         text += u' ' + (m_agreement.isComparing() ? tr("Updating…") : tr("The scene has changed since."));
