@@ -118,13 +118,19 @@ Status appendRecords(Session& session, const HitRecords& table) {
         return unknownTargets(unknown);
     }
     std::vector<Hit> hits = table.hits;
-    std::map<std::uint32_t, HitGroup> groups;  // by its number in the table: of the session
+    std::map<std::string, HitGroup> groups;  // by its name in the table: of the session
+    std::map<HitGroupKind, HitGroup> next;   // of the session, once these are in it
     for (Hit& hit : hits) {
         hit.target = ids[hit.target];
         hit.triangle = other.isEmpty() ? hit.triangle : kNoIndex;  // the number of one of another mesh
         if (hit.group) {
-            const auto [group, isNew] = groups.try_emplace(hit.group.number);
-            group->second = isNew ? session.hits().newGroup(hit.group.kind) : group->second;
+            const HitGroupKind kind = hit.group.kind;
+            const auto [group, isNew] = groups.try_emplace(groupText(hit.group));
+            if (isNew) {
+                HitGroup& unused = next.try_emplace(kind, session.hits().newGroup(kind)).first->second;
+                group->second = unused;
+                ++unused.number;
+            }
             hit.group = group->second;
         }
     }

@@ -23,7 +23,7 @@ inline constexpr std::array<std::string_view, 5> kHitGroupWords{"", "group", "mi
 /// Which hits were made together, so that they can be selected and changed as one. It deforms nothing. Hits
 /// of one group need not stand side by side in the history, nor be on one target.
 struct HitGroup {
-    std::uint32_t number = 0;  ///< from 1, in a session of its own whatever the kind; 0: of no group
+    std::uint32_t number = 0;  ///< from 1, its own in a session among those of its kind; 0: of no group
     HitGroupKind kind = HitGroupKind::None;
 
     [[nodiscard]] explicit operator bool() const { return number != 0 && kind != HitGroupKind::None; }

@@ -103,7 +103,8 @@ void HitHistoryModel::sortParts(std::size_t row, int column, double (&parts)[3])
     } else if (column == PipelineColumn) {
         parts[0] = pipelineOf(hit) ? static_cast<double>(hit.pipeline) : kUnknown;
     } else if (column == GroupColumn) {
-        parts[0] = hit.group ? static_cast<double>(hit.group.number) : kUnknown;
+        parts[0] = hit.group ? static_cast<double>(hit.group.kind) : kUnknown;
+        parts[1] = hit.group ? static_cast<double>(hit.group.number) : kUnknown;
     } else {
         parts[0] = number(hit, row, column).value_or(kUnknown);
     }

@@ -25,14 +25,12 @@ SessionUndo::Kind stepOf(HitGroupKind kind) {
 
 }  // namespace
 
-HitGroup SessionHits::newGroup(HitGroupKind kind) {
-    return {++m_lastGroup, kind};
-}
-
-void SessionHits::seeGroups(std::span<const Hit> hits) {
-    for (const Hit& hit : hits) {
-        m_lastGroup = std::max(m_lastGroup, hit.group.number);
+HitGroup SessionHits::newGroup(HitGroupKind kind) const {
+    std::uint32_t last = 0;
+    for (const Hit& hit : m_history.hits()) {
+        last = hit.group.kind == kind ? std::max(last, hit.group.number) : last;
     }
+    return {last + 1, kind};
 }
 
 Result<HitGroup> SessionHits::addGroup(HitGroupKind kind, std::span<const Hit> hits) {

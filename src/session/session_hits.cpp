@@ -78,7 +78,6 @@ void SessionHits::bringBack(std::span<const Hit> hits) {
 }
 
 HistoryEdit SessionHits::putIn(std::span<const Hit> hits) {
-    seeGroups(hits);
     return m_history.append(hits);
 }
 
@@ -107,7 +106,6 @@ void SessionHits::forgetAll() {
     m_selected.reset();
     m_shown.reset();
     m_disabled = 0;
-    m_lastGroup = 0;
 }
 
 std::vector<std::size_t> SessionHits::on(std::span<const TargetId> targets) const {

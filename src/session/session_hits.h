@@ -37,8 +37,9 @@ public:
     /// One more hit of a stroke that goes on: one step to undo with those before, until
     /// Session::finishUndoStep(). `stroke` is newGroup()'s.
     [[nodiscard]] Status extendStroke(const HitGroup& stroke, const Hit& hit);
-    /// One that no hit has been of.
-    [[nodiscard]] HitGroup newGroup(HitGroupKind kind);
+    /// The next one that no hit in the history is of. Each kind has numbers of its own, and they depend on
+    /// nothing but the history: undo and saved sessions make no difference.
+    [[nodiscard]] HitGroup newGroup(HitGroupKind kind) const;
     /// The hits of a group, ascending.
     [[nodiscard]] std::vector<std::size_t> of(const HitGroup& group) const;
     void group(std::span<const std::size_t> indices);    ///< they become a new one
@@ -102,7 +103,6 @@ private:
                 SessionUndo::Merge merge = SessionUndo::Merge::Never, std::vector<TargetPlace> places = {});
     [[nodiscard]] Result<std::vector<Hit>> checked(std::span<const Hit> hits) const;
     void setGroup(std::span<const std::size_t> indices, const HitGroup& group, SessionUndo::Kind kind);
-    void seeGroups(std::span<const Hit> hits);
     /// The history has these edits already.
     void record(std::vector<HistoryEdit> edits, SessionUndo::Name name,
                 SessionUndo::Merge merge = SessionUndo::Merge::Never);
@@ -117,7 +117,6 @@ private:
     Session& m_session;
     HitHistory m_history;
     std::size_t m_disabled = 0;
-    std::uint32_t m_lastGroup = 0;  ///< the highest number of one that a hit has been of
     std::optional<std::size_t> m_selected;
     std::optional<std::size_t> m_shown;  ///< nothing: all
 };

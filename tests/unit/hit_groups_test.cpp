@@ -119,6 +119,39 @@ private Q_SLOTS:
         QCOMPARE(history().size(), std::size_t{0});
     }
 
+    void eachKindIsCountedOnItsOwn() {
+        const auto add = [this](HitGroupKind kind) {
+            const Result<HitGroup> group = hits().addGroup(kind, someHits(*m_session, 2));
+            return group ? groupText(group.value()) : group.error().what;
+        };
+        QCOMPARE(add(HitGroupKind::Scatter), std::string("scatter 1"));
+        QCOMPARE(add(HitGroupKind::Mirror), std::string("mirror 1"));
+        QCOMPARE(add(HitGroupKind::Scatter), std::string("scatter 2"));
+        m_session->undo();
+        QCOMPARE(add(HitGroupKind::Scatter), std::string("scatter 2"));
+        const std::array<std::size_t, 2> two{0, 2};
+        hits().group(two);
+        QCOMPARE(groupText(history()[0].group), std::string("group 1"));
+        // As after the session was saved and opened: by the hits alone.
+        const std::vector<Hit> kept(history().begin(), history().end());
+        hits().clear();
+        QVERIFY(hits().add(kept).ok());
+        QCOMPARE(add(HitGroupKind::Mirror), std::string("mirror 2"));
+        QCOMPARE(add(HitGroupKind::Stroke), std::string("stroke 1"));
+    }
+
+    void importedGroupsOfSeveralKindsStayApart() {
+        for (const HitGroupKind kind : {HitGroupKind::Scatter, HitGroupKind::Mirror, HitGroupKind::Scatter}) {
+            QVERIFY(hits().addGroup(kind, someHits(*m_session, 1)).ok());
+        }
+        QVERIFY(appendRecords(*m_session, recordsOf(*m_session, nullptr)).ok());
+        QStringList groups;
+        for (const Hit& hit : history().subspan(3)) {
+            groups << QString::fromStdString(groupText(hit.group));
+        }
+        QCOMPARE(groups, (QStringList{"scatter 3", "mirror 2", "scatter 4"}));
+    }
+
     void tablesKeepGroupsAndImportedOnesAreNew() {
         QVERIFY(hits().addGroup(HitGroupKind::Mirror, someHits(*m_session, 2)).ok());
         QVERIFY(hits().add(someHits(*m_session, 1)).ok());
