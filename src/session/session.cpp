@@ -223,6 +223,9 @@ void Session::follow(const SessionUndo::Change& change) {
             m_targets.follow(edit);
         }
     }
+    if (change.selection) {
+        m_targets.select(change.selection->after.target, change.selection->after.beside);
+    }
     if (!change.targets.empty()) {
         Q_EMIT pictureChanged();
     }

@@ -209,14 +209,16 @@ void SessionTargets::moveTo(TargetId id, const RigidTransform& transform) {
     }
 }
 
-void SessionTargets::change(std::vector<TargetEdit> targets, SessionUndo::Name name,
-                            std::vector<HistoryEdit> edits, SessionUndo::Merge merge) {
-    if (targets.empty() && edits.empty()) {
-        return;
-    }
-    const SessionUndo::Change change{name, merge, std::move(edits), std::move(targets)};
+void SessionTargets::change(const SessionUndo::Change& change) {
     m_session.record(change);
     m_session.follow(change);
+}
+
+void SessionTargets::change(std::vector<TargetEdit> targets, SessionUndo::Name name,
+                            std::vector<HistoryEdit> edits, SessionUndo::Merge merge) {
+    if (!targets.empty() || !edits.empty()) {
+        change({name, merge, std::move(edits), std::move(targets)});
+    }
 }
 
 void SessionTargets::change(const Target& target, TargetState after, SessionUndo::Name name,
@@ -286,17 +288,21 @@ void SessionTargets::duplicate(std::span<const TargetId> ids) {
     if (edits.empty()) {
         return;
     }
-    const std::size_t count = edits.size();
+    TargetSelection copies;
+    for (const TargetEdit& edit : edits) {
+        copies.beside.push_back(edit.after->id);
+    }
+    copies.target = copies.beside.back();
     std::vector<HistoryEdit> copied;
     if (!hits.empty()) {
         copied.push_back(m_session.m_hits.putIn(hits));
     }
-    change(std::move(edits), {SessionUndo::Kind::DuplicateTarget, count}, std::move(copied));
-    std::vector<TargetId> copies;
-    for (std::size_t index = m_targets.size() - count; index < m_targets.size(); ++index) {
-        copies.push_back(m_targets[index]->id);
-    }
-    select(copies.back(), copies);
+    const SessionUndo::Name name{SessionUndo::Kind::DuplicateTarget, edits.size()};
+    change({.name = name,
+            .edits = std::move(copied),
+            .targets = std::move(edits),
+            .selection = std::make_shared<const ValueEdit<TargetSelection>>(
+                ValueEdit<TargetSelection>{{m_selected, allSelected()}, std::move(copies)})});
 }
 
 void SessionTargets::remove(std::span<const TargetId> ids) {

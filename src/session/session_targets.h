@@ -122,6 +122,7 @@ private:
     [[nodiscard]] std::set<QString> names() const;
     /// `wanted`, with a number where it is one of `taken`; adds it to them.
     static QString freeName(const QString& wanted, std::set<QString>& taken);
+    void change(const SessionUndo::Change& change);
     void change(std::vector<TargetEdit> targets, SessionUndo::Name name, std::vector<HistoryEdit> edits = {},
                 SessionUndo::Merge merge = SessionUndo::Merge::Never);
     void change(const Target& target, TargetState after, SessionUndo::Name name,

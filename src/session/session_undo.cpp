@@ -113,6 +113,7 @@ SessionUndo::Change inverse(const SessionUndo::Change& change) {
     });
     undone.settings = inverse(change.settings);
     undone.scene = inverse(change.scene);
+    undone.selection = inverse(change.selection);
     return undone;
 }
 

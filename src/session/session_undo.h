@@ -45,6 +45,12 @@ struct SceneState {
     std::optional<CuttingPlane> cut;  ///< nothing: it stays as it is
 };
 
+/// Which targets are selected: the one that panels are about, and others beside it.
+struct TargetSelection {
+    TargetId target;  ///< none: no target is selected
+    std::vector<TargetId> beside;
+};
+
 /// It was one and became the other.
 template <typename Value>
 struct ValueEdit {
@@ -122,10 +128,11 @@ public:
     struct Change {
         Name name = {};
         Merge merge = Merge::Never;
-        std::vector<HistoryEdit> edits = {};                            ///< in the order made
-        std::vector<TargetEdit> targets = {};                           ///< likewise
-        std::shared_ptr<const ValueEdit<SettingsState>> settings = {};  ///< null: they stay
-        std::shared_ptr<const ValueEdit<SceneState>> scene = {};        ///< null: it stays
+        std::vector<HistoryEdit> edits = {};                               ///< in the order made
+        std::vector<TargetEdit> targets = {};                              ///< likewise
+        std::shared_ptr<const ValueEdit<SettingsState>> settings = {};     ///< null: they stay
+        std::shared_ptr<const ValueEdit<SceneState>> scene = {};           ///< null: it stays
+        std::shared_ptr<const ValueEdit<TargetSelection>> selection = {};  ///< null: what came is selected
         /// Where dynamic targets are to be; recorded, where they were before hits knocked them about.
         std::vector<TargetPlace> places = {};
     };

@@ -162,6 +162,19 @@ private Q_SLOTS:
         QVERIFY(ok);
     }
 
+    void undoneDuplicatesLeaveTheirOriginalsSelected() {
+        auto& targets = m_session->targets();
+        const std::vector<TargetId> both{id(0), id(1)};
+        targets.select(id(0), both);
+        targets.duplicate(both);
+        const std::vector<TargetId> copies{id(2), id(3)};
+        targets.select({});
+        m_session->undo();
+        QVERIFY(targets.selected() == both.front() && targets.allSelected() == both);
+        m_session->redo();
+        QVERIFY(targets.selected() == copies.back() && targets.allSelected() == copies);
+    }
+
     void duplicateHasTheHits() {
         hit(*m_session, id(0), 0.1f);
         hit(*m_session, id(1), 0.2f);
