@@ -86,8 +86,7 @@ bool CutHandle::eventFilter(QObject*, QEvent* event) {
     }
     if (event->type() == QEvent::KeyPress && m_drag &&
         static_cast<const QKeyEvent*>(event)->key() == Qt::Key_Escape) {
-        Q_EMIT dragged(m_drag->offset);
-        endDrag();
+        cancelDrag();
         return true;
     }
     return false;
@@ -119,6 +118,10 @@ void CutHandle::paintEvent(QPaintEvent*) {
 }
 
 void CutHandle::mousePressEvent(QMouseEvent* event) {
+    if (m_drag && event->button() == Qt::RightButton) {
+        cancelDrag();
+        return;
+    }
     if (event->button() != Qt::LeftButton) {
         event->ignore();
         return;
@@ -185,6 +188,11 @@ void CutHandle::endDrag() {
         Q_EMIT released();
         update();
     }
+}
+
+void CutHandle::cancelDrag() {
+    Q_EMIT dragged(m_drag->offset);
+    endDrag();
 }
 
 void CutHandle::enterEvent(QEnterEvent*) {

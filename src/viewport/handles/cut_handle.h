@@ -14,8 +14,8 @@ namespace hitscope {
 class Viewport;
 
 /// A grip in the middle of the cutting plane, over the picture: dragged, it moves the plane along its normal;
-/// looking along that, up is away. Ctrl keeps to round offsets, Escape takes the drag back. There while the
-/// viewport's plane is on.
+/// looking along that, up is away. Ctrl keeps to round offsets; Escape or the right button takes the drag
+/// back. There while the viewport's plane is on.
 class CutHandle : public QWidget {
     Q_OBJECT
 public:
@@ -52,6 +52,7 @@ private:
     [[nodiscard]] glm::vec3 middle() const;
     [[nodiscard]] float moved(const Drag& drag, const QPointF& to) const;
     void endDrag();
+    void cancelDrag();
 
     Viewport& m_viewport;
     Bounds m_bounds;

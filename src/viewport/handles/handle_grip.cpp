@@ -59,6 +59,11 @@ void HandleGrip::paintEvent(QPaintEvent*) {
 }
 
 void HandleGrip::mousePressEvent(QMouseEvent* event) {
+    if (m_isHeld && event->button() == Qt::RightButton) {
+        letGo();
+        Q_EMIT cancelled();
+        return;
+    }
     if (event->button() != Qt::LeftButton) {
         event->ignore();
         return;

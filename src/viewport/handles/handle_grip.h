@@ -7,8 +7,8 @@
 
 namespace hitscope {
 
-/// A small round grip over the picture that is dragged with the left button. Other buttons and the wheel are
-/// the picture's.
+/// A small round grip over the picture that is dragged with the left button; the right one gives the drag up.
+/// Other buttons and the wheel are the picture's.
 class HandleGrip : public QWidget {
     Q_OBJECT
 public:
@@ -28,6 +28,8 @@ Q_SIGNALS:
     /// Where its centre would be now, with the cursor.
     void draggedTo(const QPointF& centre, Qt::KeyboardModifiers modifiers);
     void released();
+    /// Instead of released(): let go, to be as it was before.
+    void cancelled();
 
 protected:
     bool event(QEvent* event) override;

@@ -91,6 +91,7 @@ void HitHandles::connectGrip(HandleGrip& grip, void (HitHandles::*drag)(const QP
     });
     connect(&grip, &HandleGrip::draggedTo, this, drag);
     connect(&grip, &HandleGrip::released, &m_editing, &HitEditing::endGesture);
+    connect(&grip, &HandleGrip::cancelled, &m_editing, &HitEditing::cancelGesture);
 }
 
 std::optional<HitHandles::Shape> HitHandles::shape() const {

@@ -60,6 +60,7 @@ TargetHandles::TargetHandles(Viewport& viewport, Session& session)
                     }
                 });
         connect(&grip, &HandleGrip::released, this, &TargetHandles::endDrag);
+        connect(&grip, &HandleGrip::cancelled, this, &TargetHandles::cancelDrag);
     };
     connectGrip(*m_across, {});
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
@@ -246,10 +247,8 @@ bool TargetHandles::eventFilter(QObject*, QEvent* event) {
     }
     if (event->type() == QEvent::KeyPress && m_drag &&
         static_cast<const QKeyEvent*>(event)->key() == Qt::Key_Escape) {
-        m_drag->takeBack();
-        apply();
         m_held->letGo();
-        endDrag();
+        cancelDrag();
         return true;
     }
     return false;
@@ -295,6 +294,14 @@ void TargetHandles::endDrag() {
         finishDrag();
         m_places.reset();
         follow();
+    }
+}
+
+void TargetHandles::cancelDrag() {
+    if (m_drag) {
+        m_drag->takeBack();
+        apply();
+        endDrag();
     }
 }
 

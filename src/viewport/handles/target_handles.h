@@ -19,7 +19,7 @@ class Viewport;
 /// are as large in every picture, about the middle of what is selected: a line along each of the world's axes
 /// has a grip that moves along it, a quarter of a circle about each axis one that turns about it, and the
 /// grip in the middle moves across the line of sight. All of them turn about the middle. Ctrl keeps to round
-/// steps. A drag is one step to undo; Escape takes it back.
+/// steps. A drag is one step to undo; Escape or the right button takes it back.
 class TargetHandles : public QWidget {
     Q_OBJECT
 public:
@@ -63,6 +63,7 @@ private:
     void apply();
     void finishDrag();
     void endDrag();
+    void cancelDrag();
     void paintDrag(QPainter& painter) const;
 
     Viewport& m_viewport;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewport/handles/wipe_handle.h"
 
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <algorithm>
 #include <cmath>
@@ -35,14 +36,28 @@ double WipeHandle::leftOfPicture(const QMouseEvent& event) const {
     return second ? pictureWidth() : 0.0;
 }
 
+bool WipeHandle::isCancelledBy(const QEvent& event) const {
+    const bool isPress =
+        event.type() == QEvent::MouseButtonPress || event.type() == QEvent::MouseButtonDblClick;
+    return m_held && ((isPress && static_cast<const QMouseEvent&>(event).button() == Qt::RightButton) ||
+                      (event.type() == QEvent::KeyPress &&
+                       static_cast<const QKeyEvent&>(event).key() == Qt::Key_Escape));
+}
+
 bool WipeHandle::eventFilter(QObject* watched, QEvent* event) {
     if (watched != &m_viewport || (!m_held && !m_viewport.options().beforeAfter.wipe)) {
         return false;
+    }
+    if (isCancelledBy(*event)) {
+        m_held = false;
+        Q_EMIT dragged(m_heldBefore);
+        return true;
     }
     if (event->type() == QEvent::MouseButtonPress) {
         const auto& mouse = *static_cast<QMouseEvent*>(event);
         m_held = mouse.button() == Qt::LeftButton && mouse.modifiers() == Qt::NoModifier && isAt(mouse);
         m_heldLeft = leftOfPicture(mouse);
+        m_heldBefore = m_viewport.options().beforeAfter.wipeAt;
         return m_held;
     }
     if (event->type() == QEvent::MouseMove) {

@@ -10,7 +10,8 @@ namespace hitscope {
 
 class Viewport;
 
-/// Drags the line between original and deformed with the mouse. Sees the viewport's events before it does.
+/// Drags the line between original and deformed with the mouse; Escape or the right button takes the drag
+/// back. Sees the viewport's events before it does.
 class WipeHandle : public QObject {
     Q_OBJECT
 public:
@@ -29,10 +30,12 @@ private:
     [[nodiscard]] bool isAt(const QMouseEvent& event) const;
     [[nodiscard]] double pictureWidth() const;  ///< one of two, side by side
     [[nodiscard]] double leftOfPicture(const QMouseEvent& event) const;
+    [[nodiscard]] bool isCancelledBy(const QEvent& event) const;
 
     Viewport& m_viewport;
     bool m_held = false;
-    double m_heldLeft = 0.0;  ///< of the picture whose line is held
+    double m_heldLeft = 0.0;    ///< of the picture whose line is held
+    float m_heldBefore = 0.0f;  ///< where the line was, of the picture's width
 };
 
 }  // namespace hitscope
