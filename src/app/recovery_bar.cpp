@@ -153,9 +153,11 @@ void RecoveryBar::take(const std::shared_ptr<Found>& found) {
         found->read->lostLines == 0
             ? QString()
             : u' ' + tr("A part of what was kept of it is damaged: its last changes are lost.");
-    m_text->setText(tr("Hitscope ended unexpectedly. The session “%1” of %2, with %3, can be recovered.")
-                        .arg(name, when, work) +
-                    lost + othersText());
+    m_text->setText(
+        tr("Hitscope ended unexpectedly. The session “%1” of %2, with %3, can be recovered, without "
+           "its steps to undo.")
+            .arg(name, when, work) +
+        lost + othersText());
     const QPixmap picture = pictureOf(found->read->picture, devicePixelRatioF());
     m_picture->setPixmap(picture);
     m_picture->setVisible(!picture.isNull());

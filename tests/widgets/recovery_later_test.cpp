@@ -54,6 +54,7 @@ private Q_SLOTS:
         m_window->offerRecovery();
         QTRY_VERIFY_WITH_TIMEOUT(bar().isVisible(), kPatience);
         QVERIFY2(text().contains(QStringLiteral("1 more session comes after it")), qPrintable(text()));
+        QVERIFY2(text().contains(QStringLiteral("without its steps to undo")), qPrintable(text()));
         const QString first = text();
         clickLater();
         QTRY_VERIFY_WITH_TIMEOUT(bar().isVisible() && text() != first, kPatience);
