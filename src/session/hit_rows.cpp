@@ -69,9 +69,11 @@ Hit withDentOf(Hit hit, const Hit& other) {
     return hit;
 }
 
-/// Whether `after` is `before`, edited: an edit leaves alone when a hit was made, on what, and how hard.
+/// Whether `after` is `before`, edited: an edit leaves alone when a hit was made, and how hard. A target that
+/// gets another mesh is another one.
 bool isSameEdited(const Hit& before, const Hit& after) {
     Hit edited = withDentOf(before, after);
+    edited.target = after.target;
     edited.point = after.point;
     edited.direction = after.direction;
     edited.flight = after.flight;

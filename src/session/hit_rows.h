@@ -11,7 +11,7 @@
 namespace hitscope {
 
 /// True when the edit leaves every hit where it was: it changes one hit, or of several only what a person
-/// edits, as their constants, their direction or their point.
+/// edits, as their constants, their direction or their point, and their target, where that got another mesh.
 [[nodiscard]] bool keepsPlaces(const HistoryEdit& edit);
 
 /// Where each hit of a history went in a number of edits, so that a selection can follow. A hit that one edit

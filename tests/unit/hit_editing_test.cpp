@@ -153,6 +153,24 @@ private Q_SLOTS:
         QCOMPARE(rearranged.size(), 0);
     }
 
+    void neighboursStaySelectedWhenTheirMeshIsAnother() {
+        m_session->hits().select(2);
+        m_editing->select({1, 2, 3});
+        const TargetState state = *m_session->targets().front();
+        const auto ids = m_session->targets().replaceMeshes({&state, 1}, [](Hit hit) {
+            hit.point.y += 0.1f;
+            hit.triangle = kNoIndex;
+            return hit;
+        });
+        const std::vector<std::size_t> rows{1, 2, 3};
+        QVERIFY(m_session->hits().history().hits()[2].target == ids.at(state.id));
+        QVERIFY(std::ranges::equal(m_editing->rows(), rows));
+        m_session->undo();
+        QVERIFY(m_session->hits().history().hits()[2].target == state.id);
+        QVERIFY(std::ranges::equal(m_editing->rows(), rows));
+        QCOMPARE(m_session->hits().selected(), std::optional<std::size_t>(2));
+    }
+
     void aNewSceneForgetsThem() {
         m_session->hits().select(3);
         widen(0.6f);
