@@ -229,6 +229,11 @@ void Session::follow(const SessionUndo::Change& change) {
     if (!change.targets.empty()) {
         Q_EMIT pictureChanged();
     }
+    for (const TargetEdit& edit : change.targets) {
+        if (change.name.kind == SessionUndo::Kind::ScaleTarget && edit.after) {
+            Q_EMIT m_targets.scaled(edit.after->id);
+        }
+    }
 }
 
 void Session::expectMoves(std::span<const HistoryEdit> edits) {

@@ -99,6 +99,7 @@ Q_SIGNALS:
     void added(hitscope::TargetId target);
     void removed(hitscope::TargetId target);          ///< its hits went before it
     void changed(hitscope::TargetId target);          ///< name, transform or visibility
+    void scaled(hitscope::TargetId target);           ///< it was added in place of the one of another size
     void selectedChanged(hitscope::TargetId target);  ///< or which ones are selected beside it
 
 private:

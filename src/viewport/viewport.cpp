@@ -74,6 +74,7 @@ void Viewport::connectSession() {
     connect(&m_session.targets(), &SessionTargets::added, this, &Viewport::followSize);
     connect(&m_session.targets(), &SessionTargets::removed, this, &Viewport::followSize);
     connect(&m_session.targets(), &SessionTargets::changed, this, &Viewport::followSize);
+    connect(&m_session.targets(), &SessionTargets::scaled, this, &Viewport::keepInSight);
 }
 
 Viewport::~Viewport() {
@@ -209,6 +210,24 @@ void Viewport::bringSelectionIntoSight() {
     const Target* target = m_session.targets().find(m_session.targets().selected());
     if (target != nullptr &&
         !isInPicture(coreOf(target->worldBounds()), m_navigation.goal(), m_navigation.aspect(), kInside)) {
+        frameAll();
+    }
+}
+
+/// Where its middle is out of the picture now, or the eye within it, all targets are framed.
+void Viewport::keepInSight(TargetId scaled) {
+    const Target* target = m_session.targets().find(scaled);
+    if (target == nullptr || !target->visible) {
+        return;
+    }
+    const Camera& camera = m_navigation.goal();
+    const Bounds bounds = target->worldBounds();
+    Bounds withEye = bounds;
+    withEye.add(camera.eye());
+    const bool isWithin = !camera.isOrthographic() && withEye.min == bounds.min && withEye.max == bounds.max;
+    Bounds middle;
+    middle.add(bounds.centre());
+    if (isWithin || !isInPicture(middle, camera, m_navigation.aspect(), 1.0f)) {
         frameAll();
     }
 }

@@ -129,6 +129,7 @@ private:
     void followViewSize();
     void followScene();
     void followSize();
+    void keepInSight(TargetId scaled);
     void followQuality();
     [[nodiscard]] SceneInSight sceneInSight() const;
     void shootAlong(const Ray& sight);

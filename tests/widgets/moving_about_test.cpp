@@ -14,6 +14,7 @@
 #include "app/dialogs/go_to_vertex.h"
 #include "app/overlays/keys_lines.h"
 #include "panels/help/help_text.h"
+#include "session/mesh_steps/scale_target.h"
 #include "support/test_program.h"
 #include "viewport/axis_gizmo.h"
 #include "viewport/inspect_tool.h"
@@ -74,6 +75,32 @@ private Q_SLOTS:
         QCoreApplication::sendEvent(&axes, &help);
         QVERIFY(QToolTip::text().contains(QStringLiteral("Top")));
         QVERIFY(QToolTip::text().contains(QStringLiteral("Num+7")));
+    }
+
+    /// No step to undo comes of that.
+    void scaledTargetsAreFramedWhereTheyHaveTo() {
+        const auto scaleTo = [this](double extent) {
+            const Result<ScaledTarget> scaled = scaledTo(*m_session->targets().front(), extent);
+            QVERIFY(scaled.ok() && takeScaled(*m_session, scaled.value()).ok());
+        };
+        const auto isSeen = [this] {
+            const Bounds bounds = m_session->targets().front()->worldBounds();
+            return glm::distance(viewport().navigation().goal().eye(), bounds.centre()) >
+                   bounds.diagonal() / 2.0f;
+        };
+        const Camera before = viewport().navigation().goal();
+        scaleTo(5.5);
+        QVERIFY(viewport().navigation().goal().eye() == before.eye());
+        scaleTo(500.0);
+        QVERIFY(viewport().navigation().goal().distance() > 10.0f * before.distance());
+        QVERIFY(isSeen());
+        QCOMPARE(m_session->steps().size(), std::size_t{2});
+        viewport().navigation().setCamera(before, Navigation::Arrival::AtOnce);
+        m_session->undo();
+        QVERIFY(viewport().navigation().goal().eye() == before.eye());
+        m_session->redo();
+        QVERIFY(isSeen());
+        QCOMPARE(m_session->steps().size(), std::size_t{2});
     }
 
     void draggingTheAxesOrbitsAndBesideThemIsTheViews() {
