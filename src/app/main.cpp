@@ -15,6 +15,7 @@
 #include "app/theme.h"
 #include "core/kept_libraries.h"
 #include "core/memory.h"
+#include "models/plain_text.h"
 #include "session/session.h"
 #include "session/welcome.h"
 #include "usage/usage.h"
@@ -89,7 +90,7 @@ int main(int argc, char** argv) {
     if (const hitscope::Status openGl = hitscope::checkOpenGl(); !openGl) {
         const QString text = QString::fromStdString(openGl.error().message());
         const int status = saysNo(text);  // for who sees no box
-        QMessageBox::critical(nullptr, QApplication::applicationDisplayName(), text);
+        QMessageBox::critical(nullptr, QApplication::applicationDisplayName(), hitscope::asPlainText(text));
         return status;
     }
 

@@ -59,6 +59,7 @@
 #include "app/window/window_docks.h"
 #include "app/window/window_menus.h"
 #include "document/journal_files.h"
+#include "models/plain_text.h"
 #include "viewport/aim_preview.h"
 #include "viewport/handles/hit_handles.h"
 #include "viewport/handles/target_handles.h"
@@ -258,7 +259,7 @@ void MainWindow::placeMesh(double extent) {
 
 void MainWindow::say(const QString& text) {
     statusBar()->showMessage(text, kMessageStays);
-    statusBar()->setToolTip(text);  // a narrow window has no room for all of it
+    statusBar()->setToolTip(asPlainText(text));  // a narrow window has no room for all of it
 }
 
 void MainWindow::fail(const Error& error) {
@@ -352,8 +353,7 @@ void MainWindow::connectSettings() {
 
 void MainWindow::restoreWindow() {
     m_actions.themes->followWindow();
-    // On a small screen no part of it is out of sight at first.
-    // The desktop's frame comes on top, and is not known before it does.
+    // On a small screen no part of it is out of sight; the desktop's frame, not known yet, comes on top.
     const int frame = style()->pixelMetric(QStyle::PM_TitleBarHeight);
     const QSize wanted = QSize(1440, 900).boundedTo(screen()->availableSize() - QSize(0, frame));
     if (minimumHeight() > wanted.height()) {

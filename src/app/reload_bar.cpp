@@ -8,6 +8,7 @@
 #include <QPushButton>
 
 #include "app/mesh_reloader.h"
+#include "models/plain_text.h"
 #include "session/shown_number.h"
 
 namespace hitscope {
@@ -54,7 +55,7 @@ void ReloadBar::follow() {
     } else {
         m_text->setText(tr("%1 has changed on the disk.").arg(first));
     }
-    m_text->setToolTip(paths.join(u'\n'));
+    m_text->setToolTip(asPlainText(paths.join(u'\n')));
     setVisible(!files.isEmpty());
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "models/plain_text.h"
 #include "models/quantity_text.h"
 #include "session/shown_number.h"
 
@@ -70,7 +71,7 @@ QVariant MeshHealthModel::data(const QModelIndex& index, int role) const {
         case Qt::DisplayRole:
             return text(row, index.column());
         case Qt::ToolTipRole:
-            return toolTip(row);
+            return asPlainText(toolTip(row));
         case Qt::TextAlignmentRole:
             return index.column() == HarmColumn ? QVariant(Qt::AlignLeft | Qt::AlignVCenter)
                                                 : QVariant(Qt::AlignRight | Qt::AlignVCenter);

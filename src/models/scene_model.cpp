@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "models/dragged_file.h"
+#include "models/plain_text.h"
 #include "models/quantity_text.h"
 
 namespace hitscope {
@@ -151,7 +152,7 @@ QVariant SceneModel::data(const QModelIndex& index, int role) const {
             return column == NameColumn ? QVariant(Qt::AlignLeft | Qt::AlignVCenter)
                                         : QVariant(Qt::AlignRight | Qt::AlignVCenter);
         case Qt::ToolTipRole:
-            return toolTip(*target, column);
+            return asPlainText(toolTip(*target, column));
         case WhyNotHittableRole:
             return m_session.simulation().whyNotHittable(target->id);
         case VisibleRole:

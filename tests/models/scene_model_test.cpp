@@ -5,8 +5,10 @@
 #include <QPersistentModelIndex>
 #include <QSignalSpy>
 #include <QTest>
+#include <QTextDocumentFragment>
 #include <array>
 
+#include "mesh/primitives.h"
 #include "session/primitive_target.h"
 #include "support/test_program.h"
 
@@ -63,6 +65,13 @@ private Q_SLOTS:
         QCOMPARE(text(4, SceneModel::HitsColumn), QStringLiteral("1"));
         loadPaperRow(*m_session, 0);
         QCOMPARE(text(4, SceneModel::HitsColumn), QStringLiteral("0"));
+    }
+
+    void pathsAreNoMarkup() {
+        const QString path = QStringLiteral("/a/<b>x</b>.obj");
+        loadMesh(*m_session, makeCube(2, 1.0f), path);
+        const QString tip = at(0, SceneModel::NameColumn).data(Qt::ToolTipRole).toString();
+        QCOMPARE(QTextDocumentFragment::fromHtml(tip).toPlainText(), path);
     }
 
     void rowsComeAndGoOneByOne() {

@@ -4,9 +4,14 @@
 #include <QApplication>
 #include <QLabel>
 #include <QMenu>
+#include <QMessageBox>
 #include <QPushButton>
+#include <QStatusBar>
 #include <QTemporaryDir>
+#include <QTextDocument>
+#include <QTextDocumentFragment>
 
+#include "app/dialogs/dialogs.h"
 #include "app/dialogs/go_to_vertex.h"
 #include "app/dialogs/mesh_step_dialog.h"
 #include "app/notice_bar.h"
@@ -104,6 +109,25 @@ private Q_SLOTS:
         QCOMPARE((*named)->textFormat(), Qt::PlainText);
         const GoToVertexDialog vertex(*m_session, m_window.get());
         QCOMPARE(vertex.findChild<QLabel*>(QStringLiteral("range"))->textFormat(), Qt::PlainText);
+    }
+
+    void pathsAreNoMarkup() {
+        const QString name = QStringLiteral("<i>x.obj");
+        open({name});
+        const QString path = m_folder->filePath(name);
+        const auto shown = [](const QString& text) {
+            return Qt::mightBeRichText(text) ? QTextDocumentFragment::fromHtml(text).toPlainText() : text;
+        };
+        QTRY_VERIFY2_WITH_TIMEOUT(shown(m_window->statusBar()->toolTip()).contains(name),
+                                  qPrintable(m_window->statusBar()->toolTip()), kPatience);
+        const std::unique_ptr<QMessageBox> box(
+            makeErrorBox(m_window.get(), {"It is not there.", path.toStdString(), ""}, QMessageBox::Ok));
+        QCOMPARE(shown(box->informativeText()), path);
+        QCOMPARE(box->textFormat(), Qt::PlainText);
+        for (const char* label : {"subject", "inForce", "attributionTitle", "problem", "report", "words"}) {
+            const auto* found = m_window->findChild<QLabel*>(QLatin1String(label));
+            QVERIFY2(found != nullptr && found->textFormat() == Qt::PlainText, label);
+        }
     }
 
 private:

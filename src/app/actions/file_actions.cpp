@@ -23,6 +23,7 @@
 #include "app/settings/app_settings.h"
 #include "document/session_file.h"
 #include "io/import.h"
+#include "models/plain_text.h"
 #include "panels/help/help_text.h"
 #include "session/shown_number.h"
 
@@ -338,7 +339,7 @@ void FileActions::showRecent() {
     for (const QString& path : m_parts.settings.recentFiles) {
         QAction* action = m_recent->addAction(menuText(QFileInfo(path).fileName()), this,
                                               [this, path] { askAndOpen({path}); });
-        action->setToolTip(path);
+        action->setToolTip(asPlainText(path));
     }
     if (m_parts.settings.recentFiles.isEmpty()) {
         enableIf(*m_recent->addAction(tr("No files yet")), false,

@@ -10,6 +10,8 @@
 #include <QStandardPaths>
 #include <QStringList>
 
+#include "models/plain_text.h"
+
 namespace hitscope {
 
 namespace {
@@ -42,7 +44,8 @@ QMessageBox* makeErrorBox(QWidget* parent, const Error& error, QMessageBox::Stan
             more.append(QString::fromStdString(part));
         }
     }
-    box->setInformativeText(more.join(QStringLiteral("\n\n")));
+    // Its format is not that of the first text.
+    box->setInformativeText(asPlainText(more.join(QStringLiteral("\n\n"))));
     return box;
 }
 

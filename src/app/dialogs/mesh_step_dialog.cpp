@@ -68,6 +68,7 @@ MeshStepDialog::MeshStepDialog(Kind kind, std::shared_ptr<const MeshData> mesh, 
     }
     m_result = new QLabel(this);
     m_result->setObjectName(QStringLiteral("result"));
+    m_result->setTextFormat(Qt::PlainText);
     m_result->setWordWrap(true);
     m_result->setMinimumWidth(fontMetrics().averageCharWidth() * 50);
     m_result->setMinimumHeight(2 * fontMetrics().lineSpacing());

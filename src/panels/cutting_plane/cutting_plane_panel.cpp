@@ -11,6 +11,7 @@
 #include <glm/geometric.hpp>
 
 #include "io/staged_files.h"
+#include "models/plain_text.h"
 #include "models/quantity_text.h"
 #include "panels/fields/save_name.h"
 #include "panels/help/help_text.h"
@@ -249,7 +250,7 @@ void CuttingPlanePanel::chooseCsv() {
     }
     if (const Status status = saveCsv(path); !status) {
         QMessageBox::warning(this, tr("Save the section as CSV"),
-                             QString::fromStdString(status.error().message()));
+                             asPlainText(QString::fromStdString(status.error().message())));
     }
 }
 

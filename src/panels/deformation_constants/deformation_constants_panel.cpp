@@ -8,6 +8,7 @@
 #include <QSettings>
 
 #include "analysis/changed_settings.h"
+#include "models/plain_text.h"
 #include "panels/deformation_constants/form_fields.h"
 #include "panels/deformation_constants/parameter_editor.h"
 #include "panels/help/help_text.h"
@@ -293,7 +294,8 @@ void DeformationConstantsPanel::savePreset() {
     showConstants();
     Q_EMIT presetsChanged();
     if (!saved) {
-        QMessageBox::warning(this, tr("Save as Preset"), QString::fromStdString(saved.error().message()));
+        QMessageBox::warning(this, tr("Save as Preset"),
+                             asPlainText(QString::fromStdString(saved.error().message())));
     }
 }
 

@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "io/staged_files.h"
+#include "models/plain_text.h"
 #include "models/quantity_text.h"
 #include "models/vertex_facts.h"
 #include "panels/fields/save_name.h"
@@ -185,7 +186,7 @@ void DentMeasurementPanel::chooseCsv() {
     }
     if (const Status status = saveCsv(path); !status) {
         QMessageBox::warning(this, tr("Save the profile as CSV"),
-                             QString::fromStdString(status.error().message()));
+                             asPlainText(QString::fromStdString(status.error().message())));
     }
 }
 

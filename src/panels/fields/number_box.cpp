@@ -15,6 +15,7 @@
 #include <cmath>
 #include <utility>
 
+#include "models/plain_text.h"
 #include "session/shown_number.h"
 
 namespace hitscope {
@@ -175,8 +176,9 @@ void NumberBox::fixup(QString& text) const {
                                   shownFloat(static_cast<float>(maximum())) + suffix());
     // Later: Return gives the focus away, which hides the tip that is shown.
     auto* box = const_cast<NumberBox*>(this);
-    QTimer::singleShot(
-        0, box, [box, said] { QToolTip::showText(box->mapToGlobal(box->rect().bottomLeft()), said, box); });
+    QTimer::singleShot(0, box, [box, said] {
+        QToolTip::showText(box->mapToGlobal(box->rect().bottomLeft()), asPlainText(said), box);
+    });
 }
 
 /// In full while it is edited.

@@ -7,6 +7,8 @@
 #include <QMessageBox>
 #include <QPushButton>
 
+#include "models/plain_text.h"
+
 namespace hitscope {
 
 namespace {
@@ -32,7 +34,7 @@ bool mayReplace(QWidget* parent, const QString& path, const SaveName& wish) {
         QMessageBox::Cancel, parent);
     box.setObjectName(QStringLiteral("replaceFile"));
     box.setTextFormat(Qt::PlainText);
-    box.setInformativeText(wish.consequence ? wish.consequence(path) : QString());
+    box.setInformativeText(wish.consequence ? asPlainText(wish.consequence(path)) : QString());
     const QPushButton* replace = box.addButton(SaveNameTexts::tr("&Replace"), QMessageBox::DestructiveRole);
     box.setDefaultButton(QMessageBox::Cancel);
     box.exec();

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "models/plain_text.h"
 #include "models/quantity_text.h"
 #include "panels/frame_rate/pipeline_colour.h"
 #include "panels/plot/custom_plot.h"
@@ -170,7 +171,7 @@ void CostView::followMeasurement() {
 
 void CostView::say(const QString& text) {
     m_ui->words->setText(text);
-    m_ui->words->setToolTip(text);
+    m_ui->words->setToolTip(asPlainText(text));
 }
 
 /// What was measured stays, and says of which scene it is; what is collected is of one scene only.

@@ -14,6 +14,7 @@
 #include "io/staged_files.h"
 #include "models/costs_csv.h"
 #include "models/frame_rate_text.h"
+#include "models/plain_text.h"
 #include "models/quantity_text.h"
 #include "panels/fields/save_name.h"
 #include "panels/frame_rate/cost_view.h"
@@ -265,7 +266,8 @@ void FrameRatePanel::chooseCsv() {
         return;
     }
     if (const Status status = saveCsv(path); !status) {
-        QMessageBox::warning(this, tr("Save as CSV"), QString::fromStdString(status.error().message()));
+        QMessageBox::warning(this, tr("Save as CSV"),
+                             asPlainText(QString::fromStdString(status.error().message())));
     }
 }
 

@@ -2,8 +2,11 @@
 #include "panels/help/help_text.h"
 
 #include <QAction>
+#include <QTextDocument>
 #include <QToolButton>
 #include <QVariant>
+
+#include "models/plain_text.h"
 
 namespace hitscope {
 
@@ -30,10 +33,14 @@ QString ownToolTip(const QAction& action) {
     return plain.remove(QStringLiteral("…")) == nameOf(action) ? QString() : text;
 }
 
-/// Some tooltips have the reason in them already.
+/// Some tooltips have the reason in them already. Only `said` may be rich text.
 QString joined(const QString& said, const QString& why) {
     const bool isSaid = why.isEmpty() || said.contains(why) || said.contains(why.toHtmlEscaped());
-    return isSaid ? said : said.isEmpty() ? why : said + u'\n' + why;
+    if (isSaid || said.isEmpty()) {
+        return isSaid ? said : asPlainText(why);
+    }
+    return Qt::mightBeRichText(said) ? said + QStringLiteral("<p>%1</p>").arg(why.toHtmlEscaped())
+                                     : said + u'\n' + why;
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <span>
 
 #include "models/dragged_file.h"
+#include "models/plain_text.h"
 #include "models/quantity_text.h"
 #include "panels/fields/context_menu.h"
 #include "panels/fields/drag_out.h"
@@ -206,7 +207,7 @@ void VertexChangesPanel::updateSummary() {
                             : tr("%Ln {vertex|vertices}", nullptr, rows);
     }
     m_ui->summary->setText(text);
-    m_ui->summary->setToolTip(target != nullptr ? tr("Of %1").arg(target->name) : QString());
+    m_ui->summary->setToolTip(target != nullptr ? asPlainText(tr("Of %1").arg(target->name)) : QString());
     enableIf(*m_copy, rows > 0, tr("No vertex is listed."));
     enableIf(*m_save, rows > 0, tr("No vertex is listed."));
 }

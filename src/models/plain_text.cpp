@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "models/plain_text.h"
+
+#include <QTextDocument>
+
+namespace hitscope {
+
+QString asPlainText(const QString& text) {
+    return Qt::mightBeRichText(text)
+               ? QStringLiteral("<p style=\"white-space: pre-wrap\">%1</p>").arg(text.toHtmlEscaped())
+               : text;
+}
+
+}  // namespace hitscope
