@@ -189,7 +189,7 @@ void paintComparison(QPainter& painter, const SceneGpu::View& view, const QSizeF
 }
 
 QString exaggerationNote(float factor) {
-    return words(QT_TRANSLATE_NOOP("hitscope::ChangeOverlay", "Displacement drawn x%1"))
+    return words(QT_TRANSLATE_NOOP("hitscope::ChangeOverlay", "Displacement drawn %1×"))
         .arg(shownNumber(static_cast<double>(factor), 'g', 3));
 }
 
