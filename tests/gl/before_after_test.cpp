@@ -228,6 +228,7 @@ private:
     QImage picture() {
         const gl::RenderTarget target(kWidth, kHeight);
         if (!m_scene->sync() || !m_scene->draw(m_view, target.framebuffer())) {
+            QTest::qFail("nothing is drawn", __FILE__, __LINE__);
             return {};
         }
         const Image image = target.read();

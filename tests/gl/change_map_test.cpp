@@ -191,6 +191,7 @@ private:
     QColor pixel(const SceneGpu::View& view) {
         const gl::RenderTarget picture(kSize, kSize);
         if (!m_gpu->draw(view, picture.framebuffer())) {
+            QTest::qFail("nothing is drawn", __FILE__, __LINE__);
             return {};
         }
         const Image image = picture.read();

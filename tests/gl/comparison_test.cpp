@@ -292,6 +292,7 @@ private:
     QImage picture() {
         const gl::RenderTarget target(kWidth, kHeight);
         if (!m_scene->draw(m_view, target.framebuffer())) {
+            QTest::qFail("nothing is drawn", __FILE__, __LINE__);
             return {};
         }
         const Image image = target.read();
@@ -307,7 +308,7 @@ private:
     bool reports(const Comparison& comparison, std::size_t vertices) {
         QElapsedTimer waited;
         waited.start();
-        while (comparison.report().vertices != vertices && waited.elapsed() < 30'000) {
+        while (comparison.report().vertices != vertices && waited.elapsed() < kPatience) {
             QTest::qWait(5);
             if (picture().isNull()) {
                 return false;

@@ -4,6 +4,7 @@
 
 #include <epoxy/gl.h>
 
+#include <QTest>
 #include <functional>
 #include <vector>
 
@@ -40,10 +41,14 @@ inline SceneGpu::View smallView(const Session& session, bool withFloor) {
     return view;
 }
 
-/// Empty where it failed.
+/// Empty where it failed, and the test with it.
 inline Image drawn(SceneGpu& gpu, const SceneGpu::View& view, RefinedView* refined = nullptr) {
     const gl::RenderTarget into(view.width, view.height);
-    return gpu.draw(view, into.framebuffer(), refined).ok() ? into.read() : Image{};
+    if (const Status status = gpu.draw(view, into.framebuffer(), refined); !status) {
+        QTest::qFail(status.error().message().c_str(), __FILE__, __LINE__);
+        return {};
+    }
+    return into.read();
 }
 
 /// Triangles and lines that were drawn meanwhile.

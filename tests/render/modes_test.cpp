@@ -4,6 +4,7 @@
 
 #include <QTest>
 #include <algorithm>
+#include <optional>
 
 #include "mesh/primitives.h"
 #include "open_renderer.h"
@@ -119,8 +120,8 @@ private:
         return options.normals == NormalMode::True || isOf("textured") ? m_deepHits : m_hits;
     }
     static bool isOf(const char* kind) { return QByteArray(QTest::currentDataTag()).startsWith(kind); }
-    /// Triangles that the pictures with and without needles differ by; 0 where the renderer counts none.
-    int needleTriangles(Frame frame);
+    /// Triangles that the pictures with and without needles differ by; none where the renderer counts none.
+    std::optional<int> needleTriangles(Frame frame);
 
     GlFixture m_gl;
     std::unique_ptr<Renderer> m_renderer;
@@ -332,7 +333,7 @@ void ModesTest::linesPassTheEye() {
     QVERIFY2(lines > 300 && lines < kWidth * kHeight / 2, qPrintable(QString::number(lines)));
 }
 
-int ModesTest::needleTriangles(Frame frame) {
+std::optional<int> ModesTest::needleTriangles(Frame frame) {
     const auto pipeline = m_scene->pipeline(PipelineKind::TransformFeedback, {});
     int triangles[2] = {};
     for (const bool needles : {false, true}) {
@@ -340,15 +341,12 @@ int ModesTest::needleTriangles(Frame frame) {
         GLuint query = 0;
         glGenQueries(1, &query);
         glBeginQuery(GL_PRIMITIVES_GENERATED, query);
-        const bool drawn = !picture(*m_renderer, frame, *pipeline).isNull();
+        static_cast<void>(picture(*m_renderer, frame, *pipeline));  // fails the test where it does
         glEndQuery(GL_PRIMITIVES_GENERATED);
         glGetQueryObjectiv(query, GL_QUERY_RESULT, &triangles[needles ? 1 : 0]);
         glDeleteQueries(1, &query);
-        if (!drawn) {
-            return -1;
-        }
     }
-    return triangles[0] == 0 ? 0 : triangles[1] - triangles[0];
+    return triangles[0] == 0 ? std::nullopt : std::optional(triangles[1] - triangles[0]);
 }
 
 void ModesTest::farNeedlesAreFew() {
@@ -357,14 +355,15 @@ void ModesTest::farNeedlesAreFew() {
     Frame view = frame(DisplayOptions{});
     view.camera.setSceneRadius(5000.0f);
     view.camera.zoom(0.2f);
-    const int near = needleTriangles(view);
-    if (near == 0) {
+    const std::optional<int> near = needleTriangles(view);
+    if (!near && !QTest::currentTestFailed()) {
         QSKIP("this renderer does not count triangles");
     }
     view.camera.zoom(1000.0f);
-    const int far = needleTriangles(view);
+    const std::optional<int> far = needleTriangles(view);
     // Two triangles a needle; the sphere has some 400 vertices.
-    QVERIFY2(near > 200 && far > 0 && far < 30, qPrintable(QStringLiteral("%1, %2").arg(near).arg(far)));
+    QVERIFY(near && far);
+    QVERIFY2(*near > 200 && *far > 0 && *far < 30, qPrintable(QStringLiteral("%1, %2").arg(*near).arg(*far)));
 }
 
 void ModesTest::shadowsFollow() {

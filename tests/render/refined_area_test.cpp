@@ -80,12 +80,13 @@ RefinedAreaTest::Refined RefinedAreaTest::refined(const Frame& frame, RefinedPic
     RefinedPicture summed(extent);
     while (summed.samples() < samples) {
         if (const Status added = m_renderer->refine(frame, *m_pipeline, summed); !added) {
-            qCritical("%s", added.error().message().c_str());
+            QTest::qFail(added.error().message().c_str(), __FILE__, __LINE__);
             return {};
         }
     }
     const gl::RenderTarget target(frame.width, frame.height, 1);
     if (!m_renderer->drawRefined(frame, *m_pipeline, summed, target.framebuffer()).ok()) {
+        QTest::qFail("nothing is drawn", __FILE__, __LINE__);
         return {};
     }
     const Image image = target.read();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QTest>
 #include <memory>
 #include <vector>
 
@@ -46,7 +47,9 @@ struct RefinedScene {
     }
     [[nodiscard]] QImage shown(const Frame& frame, RefinedPicture& picture) {
         const ::hitscope::gl::RenderTarget target(frame.width, frame.height, 1);
-        if (!renderer->drawRefined(frame, *pipeline, picture, target.framebuffer()).ok()) {
+        if (const Status drawn = renderer->drawRefined(frame, *pipeline, picture, target.framebuffer());
+            !drawn) {
+            QTest::qFail(drawn.error().message().c_str(), __FILE__, __LINE__);
             return {};
         }
         const Image image = target.read();

@@ -62,6 +62,7 @@ RefinedSettledTest::Refined RefinedSettledTest::refined(const Frame& frame, Refi
                                                         int samples) {
     while (picture.samples() < samples) {
         if (!m_refined.renderer->refine(frame, *m_refined.pipeline, picture).ok()) {
+            QTest::qFail("nothing is refined", __FILE__, __LINE__);
             return {};
         }
     }

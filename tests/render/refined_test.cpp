@@ -104,7 +104,7 @@ QImage RefinedTest::refined(const Frame& frame, int samples) {
     while (m_picture->samples() < samples) {
         glViewport(0, 0, 5, 5);  // what the caller has
         if (const Status added = m_refined.renderer->refine(frame, *m_refined.pipeline, *m_picture); !added) {
-            qCritical("%s", added.error().message().c_str());
+            QTest::qFail(added.error().message().c_str(), __FILE__, __LINE__);
             return {};
         }
     }

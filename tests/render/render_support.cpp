@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render_support.h"
 
-#include <QDebug>
+#include <QTest>
 #include <algorithm>
 #include <cmath>
 #include <glm/ext/matrix_transform.hpp>
@@ -121,11 +121,13 @@ std::vector<Hit> dents(TargetId target, std::size_t count) {
 QImage picture(Renderer& renderer, const Frame& frame, DeformationPipeline& pipeline, int samples) {
     const gl::RenderTarget target(frame.width, frame.height, samples);
     if (!target.isComplete()) {
-        qCritical("no framebuffer of %d x %d", frame.width, frame.height);
+        QTest::qFail(
+            qPrintable(QStringLiteral("no framebuffer of %1 x %2").arg(frame.width).arg(frame.height)),
+            __FILE__, __LINE__);
         return {};
     }
     if (const Status status = renderer.draw(frame, pipeline, target.framebuffer()); !status) {
-        qCritical("%s", status.error().message().c_str());
+        QTest::qFail(status.error().message().c_str(), __FILE__, __LINE__);
         return {};
     }
     const Image image = target.read();

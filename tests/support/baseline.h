@@ -5,6 +5,7 @@
 #include <QImage>
 #include <QString>
 #include <algorithm>
+#include <climits>
 #include <cstdlib>
 
 namespace hitscope::test {
@@ -15,8 +16,16 @@ namespace hitscope::test {
         {std::abs(qRed(a) - qRed(b)), std::abs(qGreen(a) - qGreen(b)), std::abs(qBlue(a) - qBlue(b))});
 }
 
-/// The mean over all pixels of levels().
+/// Of two pictures, neither of which may be missing, pixels can be compared.
+[[nodiscard]] inline bool areComparable(const QImage& a, const QImage& b) {
+    return !a.isNull() && a.size() == b.size();
+}
+
+/// The mean over all pixels of levels(); as large as it can be where they are not comparable.
 [[nodiscard]] inline double meanDifference(const QImage& a, const QImage& b) {
+    if (!areComparable(a, b)) {
+        return 255.0;
+    }
     double sum = 0.0;
     for (int y = 0; y < a.height(); ++y) {
         for (int x = 0; x < a.width(); ++x) {
@@ -26,8 +35,12 @@ namespace hitscope::test {
     return sum / (a.width() * a.height());
 }
 
-/// Pixels of two pictures of the same size that differ by more than `tolerance` levels in some channel.
+/// Pixels of two pictures that differ by more than `tolerance` levels in some channel; INT_MAX where they are
+/// not comparable.
 [[nodiscard]] inline int differing(const QImage& a, const QImage& b, int tolerance = 0) {
+    if (!areComparable(a, b)) {
+        return INT_MAX;
+    }
     int count = 0;
     for (int y = 0; y < a.height(); ++y) {
         for (int x = 0; x < a.width(); ++x) {
@@ -80,7 +93,7 @@ inline constexpr double kMostDifferent = 0.005;  // of a picture's pixels
         return QStringLiteral("cannot write %1").arg(path);
     }
     const QImage baseline(path);
-    if (baseline.size() != shown.size()) {
+    if (!areComparable(baseline, shown)) {
         return QStringLiteral("no picture of this size in %1").arg(path);
     }
     const int different = std::max(differingNearby(shown, baseline, kDifferentLevels, reach),
