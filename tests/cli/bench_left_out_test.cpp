@@ -31,7 +31,7 @@ private Q_SLOTS:
                           {{QStringLiteral("MESA_GL_VERSION_OVERRIDE"), QStringLiteral("3.3")}});
         };
         const CliRun alone = withoutCompute("compute");
-        if (alone.status == 0 && !recordsOf(alone.out).isEmpty()) {
+        if (alone.status == 0 && !isLlvmpipe()) {
             QSKIP("This driver cannot be told to offer less.");
         }
         QCOMPARE(alone.status, 4);
@@ -52,9 +52,11 @@ private Q_SLOTS:
             runCli({"bench", "check", "--quick", "--strict", "--only", "size-compute", "--json"},
                    {{QStringLiteral("MESA_GL_VERSION_OVERRIDE"), QStringLiteral("3.3")}});
         const QJsonArray records = recordsOf(run.out);
-        if (records.size() != 1 || !records[0].toObject()[QStringLiteral("kept")].isNull()) {
+        QCOMPARE(records.size(), 1);
+        if (!records[0].toObject()[QStringLiteral("kept")].isNull() && !isLlvmpipe()) {
             QSKIP("This driver cannot be told to offer less.");
         }
+        QVERIFY(records[0].toObject()[QStringLiteral("kept")].isNull());
         QVERIFY2(run.status == 0, qPrintable(run.err));
     }
 

@@ -245,7 +245,7 @@ private Q_SLOTS:
         const QString page = folder.filePath(QStringLiteral("page.html"));
         const CliRun run = runCli({"bench", "hit", "--quick", "--vertices", "500", "--html", page},
                                   {{QStringLiteral("MESA_GL_VERSION_OVERRIDE"), QStringLiteral("2.1")}});
-        if (run.status == 0) {
+        if (run.status == 0 && !isLlvmpipe()) {
             QSKIP("This driver cannot be told to offer less.");
         }
         QCOMPARE(run.status, 4);

@@ -8,6 +8,7 @@
 
 #include "cli/run_cli.h"
 #include "cli/scene_files.h"
+#include "deform/pipeline_kind.h"
 #include "support/test_program.h"
 
 namespace hitscope::completion_test {
@@ -50,19 +51,23 @@ void CompletionTest::proposes_data() {
     QTest::addColumn<QString>("proposed");
     QTest::addColumn<QString>("notProposed");
     const auto row = [](const char* line, const char* proposed, const char* notProposed,
-                        const char* proposedByZsh = nullptr) {
+                        const QByteArray& proposedByZsh = {}) {
         for (const char* const shell : {"bash", "zsh", "fish"}) {
-            const bool isOther = proposedByZsh != nullptr && QLatin1String(shell) == QLatin1String("zsh");
-            QTest::addRow("%s: %s", shell, line) << QString::fromLatin1(shell) << QString::fromLatin1(line)
-                                                 << QString::fromLatin1(isOther ? proposedByZsh : proposed)
-                                                 << QString::fromLatin1(notProposed);
+            const bool isOther = !proposedByZsh.isEmpty() && QLatin1String(shell) == QLatin1String("zsh");
+            QTest::addRow("%s: %s", shell, line)
+                << QString::fromLatin1(shell) << QString::fromLatin1(line)
+                << QString::fromLatin1(isOther ? proposedByZsh : QByteArray(proposed))
+                << QString::fromLatin1(notProposed);
         }
     };
+    QByteArray keys;
+    for (const PipelineTraits& traits : allPipelines()) {
+        keys += ' ' + QByteArray(traits.key.data(), static_cast<qsizetype>(traits.key.size()));
+    }
     row("sho", "shoot", "bench.json");
     row("bench fr", "frame", "shoot");
     row("bench frame --ge", "--gentle", "--random");
-    row("bench frame --pipelines compute,re", "compute,reference", "bench.json",
-        "_values -s , list uniform-array uniform-array-culled transform-feedback compute reference");
+    row("bench frame --pipelines compute,re", "compute,reference", "bench.json", "_values -s , list" + keys);
     row("bench compare --to", "--tolerance", "--with");  // of bench compare, not of compare
     row("compare --wi", "--with", "--confidence");
     row("bench compare bench.j", "bench.json", "--with", "*:file:_files");
@@ -71,7 +76,7 @@ void CompletionTest::proposes_data() {
     row("help bench fr", "frame", "bench.json");
     row("info two", "two words.json", "--with", "*:file:_files");
     row("shoot --hits two", "two words.json", "--with", "--hits=");
-    row("shoot --pipeline comp", "compute", "bench.json", "(uniform-array uniform-array-culled");
+    row("shoot --pipeline comp", "compute", "bench.json", "(" + keys.trimmed());
 }
 
 void CompletionTest::proposes() {

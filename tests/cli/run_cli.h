@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QProcess>
+#include <QRegularExpression>
 #include <QStringList>
 #include <utility>
 #include <vector>
@@ -34,6 +35,29 @@ inline CliRun runCli(const QStringList& arguments,
     run.out = QString::fromUtf8(process.readAllStandardOutput());
     run.err = QString::fromUtf8(process.readAllStandardError());
     return run;
+}
+
+/// What `info --renderer` says of the renderer that tests draw with.
+inline const QString& rendererReport() {
+    static const QString report = runCli({QStringLiteral("info"), QStringLiteral("--renderer")}).out;
+    return report;
+}
+
+/// Mesa's llvmpipe, which obeys the variables that make it offer less; where tests draw with another driver,
+/// it may heed none of them.
+inline bool isLlvmpipe() {
+    static const QRegularExpression row(QStringLiteral("^ *renderer +llvmpipe"),
+                                        QRegularExpression::MultilineOption);
+    return rendererReport().contains(row);
+}
+
+/// Whether GALLIUM_OVERRIDE_CPU_CAPS=nosse makes its arithmetic inexact: it is about x86 alone.
+inline bool isMadeInexact() {
+#ifdef Q_PROCESSOR_X86
+    return isLlvmpipe();
+#else
+    return false;
+#endif
 }
 
 }  // namespace hitscope::test

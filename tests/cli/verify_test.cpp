@@ -178,7 +178,7 @@ private Q_SLOTS:
         QVERIFY(burst({"--hits-out", path("in.csv"), "--pipeline", "reference", "--out", path("right.obj")})
                     .status == 0);
         const CliRun verified = run({"verify", "--hits", path("in.csv")}, true);
-        if (verified.status == 0) {
+        if (verified.status == 0 && !isMadeInexact()) {
             QSKIP("no renderer here deforms inexactly");
         }
         QCOMPARE(verified.status, 1);

@@ -73,9 +73,8 @@ private Q_SLOTS:
               std::optional<std::size_t>(40), std::optional<std::size_t>(0), std::optional<std::size_t>()}) {
             session.hits().show(shown);
             QVERIFY(gpu.value()->sync().ok());
-            const bool drops = shown.value_or(all) > 600 &&
-                               (session.settings().pipeline() == PipelineKind::UniformArray ||
-                                session.settings().pipeline() == PipelineKind::UniformArrayCulled);
+            const bool drops =
+                shown.value_or(all) > 600 && !pipelineTraits(session.settings().pipeline()).keepsAll;
             QCOMPARE(session.readBack().droppedHits() > 0, drops);
             agreement.compare();
             QTRY_VERIFY_WITH_TIMEOUT(agreement.report() && !agreement.isComparing(), kPatience);

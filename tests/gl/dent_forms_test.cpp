@@ -23,7 +23,7 @@ constexpr std::size_t kHits = 10'000;
 constexpr std::size_t kArrayHits = 600;
 
 bool isLimited(PipelineKind kind) {
-    return kind == PipelineKind::UniformArray || kind == PipelineKind::UniformArrayCulled;
+    return !pipelineTraits(kind).keepsAll;
 }
 
 /// All profiles with either of two directions, the press, and all of them mixed.

@@ -50,8 +50,7 @@ private Q_SLOTS:
                                QStringLiteral("Low-poly sphere"), QStringLiteral("High-poly cube")};
         for (const PipelineTraits& traits : allPipelines()) {
             const QByteArray key(traits.key.data(), static_cast<qsizetype>(traits.key.size()));
-            const bool isLimited =
-                traits.kind == PipelineKind::UniformArray || traits.kind == PipelineKind::UniformArrayCulled;
+            const bool isLimited = !traits.keepsAll;
             add(key + ", sphere", traits.kind, isLimited ? 600 : 1500, 1, sphere);
             add(key + ", cube, many constants", traits.kind, isLimited ? 600 : 1500, isLimited ? 600 : 1500,
                 cube);
