@@ -63,7 +63,7 @@ QString WorkerTest::play(const char* script) {
 }
 
 bool WorkerTest::waitForWorker() const {
-    return QTest::qWaitFor([this] { return readFile(in("pid")).ends_with('\n'); }, 20000);
+    return QTest::qWaitFor([this] { return readFile(in("pid")).ends_with('\n'); }, kPatience);
 }
 
 bool WorkerTest::workerIsGone() const {
@@ -142,7 +142,7 @@ void WorkerTest::tellsProgressAndNotes() {
     connect(&import, &MeshImport::finished, this,
             [&](const std::shared_ptr<ImportedMesh>& mesh_) { result = mesh_; });
     import.start();
-    QVERIFY(QTest::qWaitFor([&] { return result != nullptr; }, 20000));
+    QVERIFY(QTest::qWaitFor([&] { return result != nullptr; }, kPatience));
     QCOMPARE(result->notes, QStringList{QStringLiteral("Mended.")});
     QCOMPARE(result->mesh.name, mesh.name);
     QCOMPARE(told.front().second, QStringLiteral("Reading faces"));
@@ -216,7 +216,7 @@ void WorkerTest::endsWhatTheWorkerStarted() {
     play(("sleep 1000 & echo $! > '" + in("child").toStdString() + "'; wait").c_str());
     MeshImport import(m_mesh);
     import.start();
-    QVERIFY(QTest::qWaitFor([&] { return readFile(in("child")).ends_with('\n'); }, 20000));
+    QVERIFY(QTest::qWaitFor([&] { return readFile(in("child")).ends_with('\n'); }, kPatience));
     const pid_t child = std::stoi(readFile(in("child")));
     import.cancel();
     QVERIFY(QTest::qWaitFor(
@@ -224,7 +224,7 @@ void WorkerTest::endsWhatTheWorkerStarted() {
             const std::string state = readFile(QStringLiteral("/proc/%1/stat").arg(child));
             return state.empty() || state.find(") Z") != std::string::npos;
         },
-        20000));
+        kPatience));
 }
 
 void WorkerTest::canBeCancelled() {
@@ -235,9 +235,9 @@ void WorkerTest::canBeCancelled() {
     import.start();
     QVERIFY(waitForWorker());
     import.cancel();
-    QVERIFY(QTest::qWaitFor([&] { return !what.empty(); }, 20000));
+    QVERIFY(QTest::qWaitFor([&] { return !what.empty(); }, kPatience));
     QCOMPARE(what, std::string("Opening the file was cancelled."));
-    QVERIFY(QTest::qWaitFor([&] { return workerIsGone(); }, 20000));
+    QVERIFY(QTest::qWaitFor([&] { return workerIsGone(); }, kPatience));
 }
 
 void WorkerTest::destroyingItEndsTheWorker() {
@@ -246,7 +246,7 @@ void WorkerTest::destroyingItEndsTheWorker() {
     import->start();
     QVERIFY(waitForWorker());
     import.reset();
-    QVERIFY(QTest::qWaitFor([&] { return workerIsGone(); }, 20000));
+    QVERIFY(QTest::qWaitFor([&] { return workerIsGone(); }, kPatience));
 }
 
 void WorkerTest::emitsOnce() {
@@ -262,7 +262,7 @@ void WorkerTest::emitsOnce() {
     import.cancel();
     import.cancel();
     QCOMPARE(ends, 0);  // later, from the event loop
-    QVERIFY(QTest::qWaitFor([&] { return workerIsGone(); }, 20000));
+    QVERIFY(QTest::qWaitFor([&] { return workerIsGone(); }, kPatience));
     QTest::qWait(50);
     QCOMPARE(ends, 1);
 }

@@ -281,6 +281,7 @@ private Q_SLOTS:
         mesh.texcoords = {{kNan, 0}, {1, 1}};
         mesh.cornerTexcoords = {0, 1, kNoIndex};
         const RenderMesh render = buildRenderMesh(mesh);
+        QCOMPARE(render.vertices.size(), std::size_t{3});
         for (const DynamicVertex& vertex : render.vertices) {
             QVERIFY(vertex.normal == glm::vec3(0, 0, 1));
         }
@@ -290,6 +291,7 @@ private Q_SLOTS:
 
     void clustersAreCompact() {
         const RenderMesh render = buildRenderMesh(makeHighPolySphere(2.5f));
+        QCOMPARE(render.clusters.size(), std::size_t{129});
         for (const Cluster& cluster : render.clusters) {
             QVERIFY(cluster.bounds.diagonal() < 1.7f);  // a 129th of the surface of a sphere of 2.5
         }

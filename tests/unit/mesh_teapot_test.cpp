@@ -93,21 +93,30 @@ private Q_SLOTS:
 
     void looksOutwards() {
         const MeshData teapot = makeTeapot(8);
+        int belly = 0;
+        int poles = 0;
+        int handle = 0;
         for (std::size_t v = 0; v < teapot.vertexCount(); ++v) {
             const glm::vec3 p = teapot.positions[v];
             const glm::vec3 n = teapot.normals[v];
             const float radius = glm::length(glm::vec2(p.x, p.z));
             const bool isBelly = std::abs(radius - 2.0f) < 0.05f && std::abs(p.x) < 1.9f;
             if (isBelly) {
+                ++belly;
                 QVERIFY(n.x * p.x + n.z * p.z > 0.0f);
             }
-            if (radius == 0.0f) {  // the poles
+            if (radius == 0.0f) {
+                ++poles;
                 QVERIFY(glm::distance(n, glm::vec3(0.0f, p.y > 1.0f ? 1.0f : -1.0f, 0.0f)) < 1e-3f);
             }
             if (std::abs(p.z) > 0.2f && p.x < -2.2f) {  // the handle's sides
+                ++handle;
                 QVERIFY(n.z * p.z > 0.0f);
             }
         }
+        QVERIFY(belly > 0);
+        QVERIFY(poles > 1);
+        QVERIFY(handle > 0);
     }
 
     void texcoordsCoverEachPatch() {

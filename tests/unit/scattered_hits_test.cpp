@@ -131,7 +131,9 @@ private Q_SLOTS:
         ScatterPlan plan = planOf(300);
         plan.isInward = false;
         plan.direction = {0.0f, -3.0f, 0.0f};
-        for (const Hit& hit : scattered(sphere.all(), plan)) {
+        const std::vector<Hit> hits = scattered(sphere.all(), plan);
+        QCOMPARE(hits.size(), std::size_t{300});
+        for (const Hit& hit : hits) {
             QVERIFY(hit.point.y > -0.01f);
             QCOMPARE(hit.direction, glm::vec3(0.0f, -1.0f, 0.0f));
         }

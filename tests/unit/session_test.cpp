@@ -40,6 +40,7 @@ private Q_SLOTS:
         Session session;
         loadPaperRow(session, kDefaultPaperRow);
         const std::span<const std::unique_ptr<Target>> targets = session.targets().all();
+        QVERIFY(targets.size() > 1);
         for (std::size_t i = 0; i < targets.size(); ++i) {
             QVERIFY(std::abs(targets[i]->worldBounds().min.y - session.targets().floorHeight()) < 1e-4f);
             for (std::size_t j = 0; j < i; ++j) {
