@@ -65,7 +65,7 @@ private:
     void giveUp();
 
     Session& m_session;
-    FileWatch m_watch;
+    FileWatch m_watch{this};
     QTimer m_soon;
     std::map<QString, std::set<TargetId>> m_users;  ///< of each file that is watched
     QStringList m_changed;

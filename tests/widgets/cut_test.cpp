@@ -246,11 +246,10 @@ private Q_SLOTS:
                                  kPatience);
         QVERIFY(!m_actions->sections().isBusy());
         auto* plot = child<SectionPlot>("plot");
-        QTest::qWait(50);  // it lays itself out
         const auto deepest = deepestOf(*m_actions->sections().section(), {});
         QVERIFY(deepest && std::abs(deepest->depth.value() - 0.3) < 0.01);
-        const auto read = plot->readingAt(plot->pixelOf(deepest->place) + QPointF(0.0, 1.0));
-        QVERIFY(read && read->depth.value() > 0.2);
+        const auto read = [&] { return plot->readingAt(plot->pixelOf(deepest->place) + QPointF(0.0, 1.0)); };
+        QTRY_VERIFY_WITH_TIMEOUT(read() && read()->depth.value() > 0.2, kPatience);  // it lays itself out
         QVERIFY(!plot->readingAt(plot->pixelOf(middle())));
         // Both axes at one scale.
         const QPointF a = plot->pixelOf(middle());
@@ -283,16 +282,17 @@ private Q_SLOTS:
                                      m_actions->sections().section()->targets.size() == 1 &&
                                      !m_actions->sections().isBusy(),
                                  kPatience);
-        QTest::qWait(50);  // it lays itself out
         const auto* plot = child<SectionPlot>("plot");
-        const Target& target = *m_session->targets()[0];
-        const QPointF a = plot->pixelOf(target.transform.toWorld({0.0f, 0.0f, -2.0f}));
-        const QPointF b = plot->pixelOf(target.transform.toWorld({0.0f, 0.0f, 2.0f}));
+        const auto& place = m_session->targets()[0]->transform;
+        const auto at = [&](const glm::vec3& local) { return plot->pixelOf(place.toWorld(local)); };
+        const auto width = [&] { return std::abs((at({0.0f, 0.0f, 2.0f}) - at({0.0f, 0.0f, -2.0f})).x()); };
+        QTRY_VERIFY_WITH_TIMEOUT(width() > 0.5 * plot->width(), kPatience);  // it lays itself out
+        const QPointF a = at({0.0f, 0.0f, -2.0f});
+        const QPointF b = at({0.0f, 0.0f, 2.0f});
         QVERIFY(QRectF(plot->rect()).contains(a) && QRectF(plot->rect()).contains(b));
-        QVERIFY(std::abs(a.x() - b.x()) > 0.5 * plot->width());
         QVERIFY(std::abs(a.y() - b.y()) <= 1.0);
         QVERIFY(a.y() > 0.2 * plot->height() && a.y() < 0.8 * plot->height());
-        const QPointF dent = plot->pixelOf(target.transform.toWorld({0.0f, -0.3f, 0.0f}));
+        const QPointF dent = at({0.0f, -0.3f, 0.0f});
         QVERIFY(QRectF(plot->rect()).contains(dent) && dent.y() > a.y() + 3.0);
     }
 

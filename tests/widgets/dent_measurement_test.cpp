@@ -50,7 +50,7 @@ private Q_SLOTS:
         m_panel = std::make_unique<DentMeasurementPanel>(*m_session);
         m_panel->resize(320, 420);
         m_panel->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_panel.get()));
+        QVERIFY(QTest::qWaitForWindowExposed(m_panel.get(), kPatience));
     }
     void cleanup() {
         m_panel.reset();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Files that get another content while they are watched.
 #include <QApplication>
+#include <QElapsedTimer>
 #include <QFile>
 #include <QFileInfo>
 #include <QSignalSpy>
@@ -75,10 +76,15 @@ private Q_SLOTS:
         follow({"a.obj"});
         QFile file(in("a.obj"));
         QVERIFY(file.open(QIODevice::WriteOnly));
+        QElapsedTimer sincePiece;
+        sincePiece.start();
         for (int i = 0; i < 12; ++i) {
             QVERIFY(file.write("piece") > 0 && file.flush());
+            if (sincePiece.restart() >= FileWatch::kSettles) {
+                QSKIP("this machine pauses for longer than it takes a file to settle");
+            }
             QTest::qWait(FileWatch::kSettles / 3);
-            QCOMPARE(m_spy->size(), 0);
+            QVERIFY(m_spy->isEmpty() || sincePiece.elapsed() >= FileWatch::kSettles);
         }
         file.close();
         expect({"a.obj"});
@@ -145,7 +151,7 @@ private:
     }
     /// These are told, once each, and nothing else.
     void expect(const QStringList& names) {
-        QTRY_VERIFY_WITH_TIMEOUT(m_spy->size() >= names.size(), 20'000);
+        QTRY_VERIFY_WITH_TIMEOUT(m_spy->size() >= names.size(), kPatience);
         QTest::qWait(3 * FileWatch::kSettles);
         QStringList told;
         for (const QList<QVariant>& arguments : *m_spy) {

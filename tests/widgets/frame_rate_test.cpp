@@ -86,7 +86,7 @@ void FrameRateTest::init() {
     m_panel = std::make_unique<FrameRatePanel>(*m_session, m_continuous, costMeter());
     m_panel->resize(480, 260);
     m_panel->show();
-    QVERIFY(QTest::qWaitForWindowExposed(m_panel.get()));
+    QVERIFY(QTest::qWaitForWindowExposed(m_panel.get(), kPatience));
 }
 
 void FrameRateTest::cleanup() {

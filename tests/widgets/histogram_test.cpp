@@ -53,7 +53,7 @@ private Q_SLOTS:
         plot.setHistogram(someHistogram());
         plot.setRange(HistogramPlot::Range{0.2, 0.8});
         plot.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&plot));
+        QVERIFY(QTest::qWaitForWindowExposed(&plot, kPatience));
         QSignalSpy dragged(&plot, &HistogramPlot::rangeDragged);
         QSignalSpy chosen(&plot, &HistogramPlot::rangeChosen);
         QWidget* surface = surfaceOf(plot);
@@ -82,7 +82,7 @@ private Q_SLOTS:
         plot.setHistogram(someHistogram());
         plot.setRange(HistogramPlot::Range{0.2, 0.8});
         plot.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&plot));
+        QVERIFY(QTest::qWaitForWindowExposed(&plot, kPatience));
         QSignalSpy dragged(&plot, &HistogramPlot::rangeDragged);
         QWidget* surface = surfaceOf(plot);
         mouse(surface, QEvent::MouseButtonPress, plot.pixelOf(0.8) - HistogramPlot::kGrip - 2, true);
@@ -99,7 +99,7 @@ private Q_SLOTS:
         plot.setRange(HistogramPlot::Range{0.0, 1.0});
         plot.setColours([](double at) { return at < 0.5 ? QColor(Qt::red) : QColor(Qt::blue); });
         plot.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&plot));
+        QVERIFY(QTest::qWaitForWindowExposed(&plot, kPatience));
         QCoreApplication::processEvents();
         const QImage image = plot.grab().toImage();
         const int y = image.height() / 2;

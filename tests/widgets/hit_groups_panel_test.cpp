@@ -49,8 +49,7 @@ private Q_SLOTS:
         m_table = m_panel->findChild<QTableView*>();
         m_panel->resize(900, 400);
         m_panel->show();
-        m_panel->activateWindow();
-        QVERIFY(QTest::qWaitForWindowActive(m_panel.get()));
+        makeActive(*m_panel);
         for (int i = 0; i < 6; ++i) {
             Hit hit;
             hit.target = m_session->targets()[0]->id;

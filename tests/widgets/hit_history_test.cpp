@@ -17,6 +17,7 @@
 #include "panels/hit_history/hit_history_panel.h"
 #include "support/read_back.h"
 #include "support/test_program.h"
+#include "widgets/window_support.h"
 
 namespace hitscope::hit_history_test {
 
@@ -83,8 +84,7 @@ void HitHistoryTest::init() {
     m_table = m_panel->findChild<QTableView*>();
     m_panel->resize(800, 300);
     m_panel->show();
-    m_panel->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(m_panel.get()));
+    makeActive(*m_panel);
     addHits(*m_session, 6);
     m_table->setFocus();
 }

@@ -73,8 +73,7 @@ private Q_SLOTS:
         m_table = m_panel->findChild<QTableView*>();
         m_panel->resize(900, 300);
         m_panel->show();
-        m_panel->activateWindow();
-        QVERIFY(QTest::qWaitForWindowActive(m_panel.get()));
+        makeActive(*m_panel);
         addHits(12);
         m_table->setFocus();
     }
@@ -268,7 +267,7 @@ private Q_SLOTS:
         HitHistoryPanel panel(*m_session, model);
         panel.resize(900, 300);
         panel.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&panel));
+        QVERIFY(QTest::qWaitForWindowExposed(&panel, kPatience));
         auto* table = panel.findChild<QTableView*>();
         QScrollBar* bar = table->verticalScrollBar();
         const int inView = table->viewport()->height() / table->rowHeight(0) + 2;
@@ -329,8 +328,7 @@ private Q_SLOTS:
             QTRY_VERIFY_WITH_TIMEOUT(window.viewport().camera().eye() != eye, kPatience);
             goOutAndInAgain(*window.findChild<HitActions*>(), session);
             // Undo and redo by their keys.
-            window.activateWindow();
-            QVERIFY(QTest::qWaitForWindowActive(&window, kPatience));
+            makeActive(window);
             window.viewport().setFocus();
             QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier);
             QCOMPARE(session.hits().history().size(), std::size_t{0});

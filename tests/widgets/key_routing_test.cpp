@@ -142,7 +142,7 @@ private:
         widget->raise();
         m_session->targets().select(m_session->targets().front()->id);
         auto* box = widget->findChild<QAbstractSpinBox*>(name);
-        if (box == nullptr || !QTest::qWaitFor([box] { return box->isVisible(); }, 2000)) {
+        if (box == nullptr || !QTest::qWaitFor([box] { return box->isVisible(); }, kPatience)) {
             return nullptr;
         }
         box->setFocus();

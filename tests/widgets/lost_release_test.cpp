@@ -154,7 +154,7 @@ private:
         QDialog dialog(m_window.get());
         dialog.setModal(true);
         dialog.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&dialog));
+        QVERIFY(QTest::qWaitForWindowExposed(&dialog, kPatience));
         dialog.close();
         makeActive(*m_window);
     }

@@ -11,6 +11,7 @@
 
 #include "session/shown_number.h"
 #include "support/test_program.h"
+#include "widgets/window_support.h"
 
 namespace hitscope::number_box_test {
 
@@ -29,8 +30,7 @@ private Q_SLOTS:
         row->addWidget(m_other);
         row->addWidget(m_box);
         m_window->show();
-        m_window->activateWindow();
-        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+        makeActive(*m_window);
         m_other->setFocus();
     }
 

@@ -25,6 +25,7 @@
 #include "session/scene_presets.h"
 #include "session/target_plan.h"
 #include "support/test_program.h"
+#include "widgets/window_support.h"
 
 namespace hitscope::panels_test {
 
@@ -62,8 +63,7 @@ void PanelsTest::historySelectsRemovesAndCopies() {
     HitHistoryModel model(session);
     HitHistoryPanel panel(session, model);
     panel.show();
-    panel.activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(&panel));
+    makeActive(panel);
     addHits(session, 5);
     auto* table = panel.findChild<QTableView*>();
     table->selectRow(2);

@@ -88,6 +88,15 @@ private Q_SLOTS:
     void offDrawsItself();
 
 private:
+    /// What was to come by itself has come: timers and events that were waiting, and what follows from them.
+    static void someTurns() {
+        int turns = 0;
+        QTimer timer;
+        connect(&timer, &QTimer::timeout, &timer, [&turns] { ++turns; });
+        timer.start(2);  // it is looked once a millisecond whether a picture is finished
+        QTRY_VERIFY_WITH_TIMEOUT(turns > 10, kPatience);
+    }
+
     std::unique_ptr<QWidget> m_window;
     Canvas* m_canvas = nullptr;
     QWidget* m_beside = nullptr;
@@ -102,28 +111,28 @@ void PictureAheadTest::init() {
     layout->addWidget(m_beside);
     m_window->resize(200, 200);
     m_window->show();
-    QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
-    QTRY_VERIFY(m_canvas->drawn > 0);
-    QTest::qWait(50);  // no more frames of the window's own
+    QVERIFY(QTest::qWaitForWindowExposed(m_window.get(), kPatience));
+    QTRY_VERIFY_WITH_TIMEOUT(m_canvas->drawn > 0, kPatience);
+    someTurns();  // no more frames of the window's own
     m_canvas->drawn = 0;
     m_canvas->ahead.setOn(true);
 }
 
 void PictureAheadTest::eventsComeWhileOneIsDrawn() {
     m_canvas->ahead.want();
-    QTRY_COMPARE(m_canvas->begun, 1);
+    QTRY_COMPARE_WITH_TIMEOUT(m_canvas->begun, 1, kPatience);
     QVERIFY(m_canvas->ahead.isUnderWay());
     int turns = 0;
     QTimer timer;
     connect(&timer, &QTimer::timeout, this, [&turns] { ++turns; });
     timer.start(0);
     m_beside->update();
-    QTRY_VERIFY(turns > 20);
-    QTest::qWait(20);
+    QTRY_VERIFY_WITH_TIMEOUT(turns > 20, kPatience);
+    someTurns();
     QCOMPARE(m_canvas->shown + m_canvas->drawn, 0);
     m_canvas->isFinished = true;
-    QTRY_COMPARE(m_canvas->shown, 1);
-    QTest::qWait(50);
+    QTRY_COMPARE_WITH_TIMEOUT(m_canvas->shown, 1, kPatience);
+    someTurns();
     QVERIFY(!m_canvas->ahead.isUnderWay());
     QCOMPARE(m_canvas->begun, 1);
     QCOMPARE(m_canvas->shown, 1);
@@ -132,14 +141,14 @@ void PictureAheadTest::eventsComeWhileOneIsDrawn() {
 
 void PictureAheadTest::whatIsWantedMeanwhileFollows() {
     m_canvas->ahead.want();
-    QTRY_COMPARE(m_canvas->begun, 1);
+    QTRY_COMPARE_WITH_TIMEOUT(m_canvas->begun, 1, kPatience);
     m_canvas->ahead.want();
     m_canvas->ahead.want();
-    QTest::qWait(20);
+    someTurns();
     QCOMPARE(m_canvas->begun, 1);
     m_canvas->isFinished = true;
-    QTRY_COMPARE(m_canvas->shown, 2);
-    QTest::qWait(50);
+    QTRY_COMPARE_WITH_TIMEOUT(m_canvas->shown, 2, kPatience);
+    someTurns();
     QCOMPARE(m_canvas->begun, 2);
     QCOMPARE(m_canvas->shown, 2);
     QCOMPARE(m_canvas->drawn, 0);
@@ -148,18 +157,18 @@ void PictureAheadTest::whatIsWantedMeanwhileFollows() {
 /// Pictures that are grabbed while one is drawn take its place.
 void PictureAheadTest::grabbedPicturesAreOfNow() {
     m_canvas->ahead.want();
-    QTRY_COMPARE(m_canvas->begun, 1);
+    QTRY_COMPARE_WITH_TIMEOUT(m_canvas->begun, 1, kPatience);
     m_canvas->isByWindow = false;
     static_cast<void>(m_canvas->grab());
     m_canvas->isByWindow = true;
     QCOMPARE(m_canvas->drawn, 1);
     QVERIFY(!m_canvas->ahead.isUnderWay());
-    QTest::qWait(20);
+    someTurns();
     QCOMPARE(m_canvas->shown, 0);
     m_canvas->ahead.want();
-    QTRY_COMPARE(m_canvas->begun, 2);
+    QTRY_COMPARE_WITH_TIMEOUT(m_canvas->begun, 2, kPatience);
     m_canvas->isFinished = true;
-    QTRY_COMPARE(m_canvas->shown, 1);
+    QTRY_COMPARE_WITH_TIMEOUT(m_canvas->shown, 1, kPatience);
 }
 
 void PictureAheadTest::eventsComeBetweenParts() {
@@ -172,11 +181,11 @@ void PictureAheadTest::eventsComeBetweenParts() {
     timer.start(0);
     m_canvas->partsLeft = 20;
     m_canvas->ahead.want();
-    QTRY_COMPARE(m_canvas->begun, 1);
+    QTRY_COMPARE_WITH_TIMEOUT(m_canvas->begun, 1, kPatience);
     timer.stop();
     QVERIFY2(turns >= 15, qPrintable(QString::number(turns)));
     m_canvas->isFinished = true;
-    QTRY_VERIFY(m_canvas->shown > 0);
+    QTRY_VERIFY_WITH_TIMEOUT(m_canvas->shown > 0, kPatience);
 }
 
 /// They paint while it is drawn.
@@ -193,64 +202,64 @@ void PictureAheadTest::beginsBeforeOthersPaint() {
     m_canvas->toldBegun = [&] { paintsBefore = watch.paints; };
     m_beside->update();
     m_canvas->ahead.want();
-    QTRY_COMPARE(m_canvas->begun, 1);
+    QTRY_COMPARE_WITH_TIMEOUT(m_canvas->begun, 1, kPatience);
     QCOMPARE(paintsBefore, 0);
-    QTRY_VERIFY(watch.paints > 0);
+    QTRY_VERIFY_WITH_TIMEOUT(watch.paints > 0, kPatience);
     m_canvas->toldBegun = [] {};
     m_canvas->isFinished = true;
-    QTRY_COMPARE(m_canvas->shown, 1);
+    QTRY_COMPARE_WITH_TIMEOUT(m_canvas->shown, 1, kPatience);
 }
 
 void PictureAheadTest::droppedOnesAreNotShown() {
     m_canvas->ahead.want();
-    QTRY_COMPARE(m_canvas->begun, 1);
+    QTRY_COMPARE_WITH_TIMEOUT(m_canvas->begun, 1, kPatience);
     m_canvas->ahead.drop();
     QVERIFY(!m_canvas->ahead.isUnderWay());
-    QTRY_COMPARE(m_canvas->begun, 2);
+    QTRY_COMPARE_WITH_TIMEOUT(m_canvas->begun, 2, kPatience);
     QCOMPARE(m_canvas->shown, 0);
     m_canvas->isFinished = true;
-    QTRY_COMPARE(m_canvas->shown, 1);
+    QTRY_COMPARE_WITH_TIMEOUT(m_canvas->shown, 1, kPatience);
 }
 
 void PictureAheadTest::theWindowPaintsMeanwhile() {
     m_canvas->ahead.want();
-    QTRY_COMPARE(m_canvas->begun, 1);
+    QTRY_COMPARE_WITH_TIMEOUT(m_canvas->begun, 1, kPatience);
     m_window->resize(240, 220);
-    QTRY_VERIFY(m_canvas->again > 0);
+    QTRY_VERIFY_WITH_TIMEOUT(m_canvas->again > 0, kPatience);
     QVERIFY(m_canvas->ahead.isUnderWay());
     m_canvas->isFinished = true;
-    QTRY_COMPARE(m_canvas->shown, 1);
-    QTest::qWait(50);  // then it rests
+    QTRY_COMPARE_WITH_TIMEOUT(m_canvas->shown, 1, kPatience);
+    someTurns();  // then it rests
     QCOMPARE(m_canvas->begun, 1);
     QCOMPARE(m_canvas->drawn, 0);
 }
 
 void PictureAheadTest::hiddenOnesDoNotHoldTheNext() {
     m_canvas->ahead.want();
-    QTRY_COMPARE(m_canvas->begun, 1);
+    QTRY_COMPARE_WITH_TIMEOUT(m_canvas->begun, 1, kPatience);
     m_canvas->hide();
     m_canvas->isFinished = true;
-    QTRY_VERIFY(!m_canvas->ahead.isUnderWay());
+    QTRY_VERIFY_WITH_TIMEOUT(!m_canvas->ahead.isUnderWay(), kPatience);
     QCOMPARE(m_canvas->shown, 0);
     m_canvas->show();
     m_canvas->ahead.want();
-    QTRY_COMPARE(m_canvas->shown, 1);
+    QTRY_COMPARE_WITH_TIMEOUT(m_canvas->shown, 1, kPatience);
 }
 
 void PictureAheadTest::drawsItselfWhereItCannot() {
     m_canvas->mayBegin = false;
     m_canvas->ahead.want();
-    QTRY_COMPARE(m_canvas->drawn, 1);
+    QTRY_COMPARE_WITH_TIMEOUT(m_canvas->drawn, 1, kPatience);
     QCOMPARE(m_canvas->begun, 1);
 }
 
 void PictureAheadTest::offDrawsItself() {
     m_canvas->ahead.want();
-    QTRY_COMPARE(m_canvas->begun, 1);
+    QTRY_COMPARE_WITH_TIMEOUT(m_canvas->begun, 1, kPatience);
     m_canvas->ahead.setOn(false);
-    QTRY_COMPARE(m_canvas->drawn, 1);
+    QTRY_COMPARE_WITH_TIMEOUT(m_canvas->drawn, 1, kPatience);
     m_canvas->ahead.want();
-    QTRY_COMPARE(m_canvas->drawn, 2);
+    QTRY_COMPARE_WITH_TIMEOUT(m_canvas->drawn, 2, kPatience);
     QCOMPARE(m_canvas->begun, 1);
     QCOMPARE(m_canvas->shown, 0);
 }

@@ -37,7 +37,7 @@ private Q_SLOTS:
         m_window->openFiles({m_mesh});
         QTRY_COMPARE_WITH_TIMEOUT(target().name, QStringLiteral("rock"), kPatience);
         QTRY_VERIFY_WITH_TIMEOUT(m_session->tasks().current() == nullptr, kPatience);
-        QTest::qWait(100);  // until it is watched
+        QTRY_VERIFY_WITH_TIMEOUT(!knownContentOf(*m_window, m_mesh).empty(), kPatience);
     }
     void cleanup() {
         dropWindow();

@@ -17,6 +17,7 @@
 #include "app/notice_bar.h"
 #include "app/session_files.h"
 #include "session/mesh_steps/mesh_edit.h"
+#include "session/target_plan.h"
 #include "session/task_list.h"
 #include "support/test_program.h"
 #include "widgets/window_support.h"
@@ -147,11 +148,12 @@ void SaveNameTest::aSessionThatOthersChangedIsNotReplacedUnasked() {
     const QString path = at("s.hitscope");
     files().save(path);
     QTRY_COMPARE_WITH_TIMEOUT(files().path(), path, kPatience);
-    QTest::qWait(1000);  // it is known by then what the file holds
+    const auto isKnown = [&] { return knownContentOf(*m_window, path) == meshFileAt(path).sha256; };
+    QTRY_VERIFY_WITH_TIMEOUT(isKnown(), kPatience);
     QVERIFY(m_session->hits().add(m_session->hits().history().hits().front()).ok());
     key(Qt::Key_S, Qt::ControlModifier);  // as it was left: no question
     QVERIFY(!files().isChangedByOthers());
-    QTest::qWait(1000);  // what is saved here is no news
+    QTRY_VERIFY_WITH_TIMEOUT(isKnown(), kPatience);  // what is saved here is no news
     QVERIFY(m_window->findChild<NoticeBar*>()->text().isEmpty());
     QFile file(path);
     QVERIFY(file.open(QIODevice::WriteOnly | QIODevice::Append));
@@ -182,7 +184,8 @@ void SaveNameTest::anExportOverItsMeshSaysWhatComesOfIt() {
     QVERIFY2(m_asked.front().contains(QStringLiteral("applies the hits to it again")),
              qPrintable(m_asked.front()));
     QVERIFY(contentOf(at("ball.obj")) != mesh);
-    QTest::qWait(1500);  // it would be noticed by then
+    const QString written = at("ball.obj");
+    QTRY_COMPARE_WITH_TIMEOUT(knownContentOf(*m_window, written), meshFileAt(written).sha256, kPatience);
     QVERIFY(reloader.changedFiles().isEmpty());
 }
 

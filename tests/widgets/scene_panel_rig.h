@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "panels/scene/scene_panel.h"
+#include "widgets/window_support.h"
 
 namespace hitscope {
 
@@ -49,8 +50,7 @@ inline void ScenePanelRig::setUp() {
     m_table = m_panel->findChild<QTableView*>();
     m_panel->resize(350, 480);
     m_panel->show();
-    m_panel->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(m_panel.get()));
+    makeActive(*m_panel);
     m_table->setFocus();
 }
 

@@ -2,17 +2,20 @@
 #include <QAction>
 #include <QApplication>
 #include <QCheckBox>
+#include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QKeySequence>
 #include <QLabel>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QStatusBar>
+#include <QTableView>
 #include <algorithm>
 #include <cmath>
 
 #include "app/dialogs/shot_series_dialog.h"
 #include "mesh/primitives.h"
+#include "models/hit_history_model.h"
 #include "session/task_list.h"
 #include "support/test_program.h"
 #include "viewport/aim_preview.h"
@@ -168,7 +171,12 @@ void ShotsTest::aShotThatMovesNothingSaysSo() {
     QVERIFY2(said().contains(QStringLiteral("Ctrl+R")), qPrintable(said()));
     shootWithin(10.0f);
     QTRY_VERIFY_WITH_TIMEOUT(said().contains(QStringLiteral("The shot hit")), kPatience);
-    QTest::qWait(500);  // until it is known what it did
+    const auto* table = m_window->findChild<QDockWidget*>("hitHistory")->findChild<QTableView*>("table");
+    const auto isKnown = [&] {
+        const QModelIndex moved = table->model()->index(1, HitHistoryModel::AffectedColumn);
+        return moved.data(HitHistoryModel::RawValueRole).isValid();
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(isKnown(), kPatience);
     QCOMPARE(m_session->hits().history().size(), std::size_t{2});
     QVERIFY2(!said().contains(QStringLiteral("vertex")), qPrintable(said()));
 }

@@ -69,7 +69,7 @@ private:
         hit.point = {0.0f, 2.5f, 0.0f};
         hit.direction = {0.0f, -1.0f, 0.0f};
         QVERIFY(m_session->hits().add(hit).ok());
-        QTRY_VERIFY_WITH_TIMEOUT(m_session->targets().front()->deformed.render().vertices.size() > 0,
+        QTRY_VERIFY_WITH_TIMEOUT(m_session->targets().front()->deformed.statistics().changedVertices > 0,
                                  kPatience);
         settle();
     }

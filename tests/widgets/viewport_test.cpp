@@ -218,12 +218,13 @@ void ViewportTest::twoQuickClicksAreTwoShots() {
 
 void ViewportTest::spaceShootsRepeatedlyWhileHeld() {
     Viewport& viewport = m_window->viewport();
+    const QSignalSpy shots(&viewport, &Viewport::shot);
     QTest::keyPress(&viewport, Qt::Key_Space);
-    QTRY_VERIFY_WITH_TIMEOUT(flying() + m_session->hits().history().size() >= 3, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(shots.size() >= 3, kPatience);
     QTest::keyRelease(&viewport, Qt::Key_Space);
-    const std::size_t shot = flying();
+    const qsizetype shot = shots.size();
     QTest::qWait(qRound(4000.0f / m_session->settings().projectile().rateOfFire));
-    QVERIFY(flying() <= shot);
+    QCOMPARE(shots.size(), shot);
 }
 
 void ViewportTest::controlClickSelectsAndShootsNothing() {
@@ -380,8 +381,11 @@ void ViewportTest::progressIsNotPaintedInTheMiddleOfAFrame() {
 
 void ViewportTest::idleDrawsNothing() {
     Viewport& viewport = m_window->viewport();
-    QTest::qWait(500);
-    const QSignalSpy frames(&viewport.pictures(), &PictureFlow::framePainted);
+    QSignalSpy frames(&viewport.pictures(), &PictureFlow::framePainted);
+    do {
+        frames.clear();
+        QTest::qWait(150);
+    } while (!frames.isEmpty());  // a busy machine is not idle at once
     QTest::qWait(500);
     QVERIFY(frames.size() <= 1);
     viewport.setDrawsContinuously(true);

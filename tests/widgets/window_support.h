@@ -10,7 +10,9 @@
 #include <QTest>
 #include <functional>
 #include <memory>
+#include <string>
 
+#include "app/file_watch.h"
 #include "app/main_window.h"
 #include "io/export_obj.h"
 #include "mesh/primitives.h"
@@ -97,6 +99,16 @@ inline void closeAndDiscard(MainWindow& window) {
         answerQuestion(window, QMessageBox::DestructiveRole);
     }
     QVERIFY(!window.isVisible());
+}
+
+/// What the window knows of a file that it watches: the sha256 of its content; empty: nothing so far.
+inline std::string knownContentOf(const MainWindow& window, const QString& path) {
+    for (const FileWatch* watch : window.findChildren<FileWatch*>()) {
+        if (std::string content = watch->contentOf(path); !content.empty()) {
+            return content;
+        }
+    }
+    return {};
 }
 
 /// For classes of tests that want a window for each test, with a session and settings of its own.

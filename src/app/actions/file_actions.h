@@ -94,7 +94,7 @@ private:
     void tellChanged();
 
     Parts m_parts;
-    FileWatch m_watch;  ///< of the session's file
+    FileWatch m_watch{this};  ///< of the session's file
     QMenu* m_recent = nullptr;
     QMenu* m_scenes = nullptr;
     QAction* m_open = nullptr;
