@@ -26,6 +26,18 @@ Error unknownTargets(const std::vector<std::string>& names) {
             "Load the scene the hits were made in, or rename its targets."};
 }
 
+/// `index`: of the hit in its table.
+Status checkTriangle(const Hit& hit, std::size_t index, const Target& target) {
+    const std::size_t triangles = target.shape.render->triangles.size() / 3;
+    if (hit.triangle == kNoIndex || hit.triangle < triangles) {
+        return Done{};
+    }
+    return Error{"Its triangle is " + std::to_string(hit.triangle) + ", counted from 0, but “" +
+                     target.name.toStdString() + "” has only " + std::to_string(triangles) + ".",
+                 "hit " + std::to_string(index + 1),
+                 "Load the mesh that the hits were made on, or leave their triangles out."};
+}
+
 }  // namespace
 
 std::optional<PipelineKind> pipelineOf(const Hit& hit) {
@@ -123,6 +135,10 @@ Status appendRecords(Session& session, const HitRecords& table) {
     for (Hit& hit : hits) {
         hit.target = ids[hit.target];
         hit.triangle = other.isEmpty() ? hit.triangle : kNoIndex;  // the number of one of another mesh
+        const auto index = static_cast<std::size_t>(&hit - hits.data());
+        if (Status known = checkTriangle(hit, index, *session.targets().find(hit.target)); !known) {
+            return known;
+        }
         if (hit.group) {
             const HitGroupKind kind = hit.group.kind;
             const auto [group, isNew] = groups.try_emplace(groupText(hit.group));

@@ -28,7 +28,8 @@ namespace hitscope {
 [[nodiscard]] QString otherTargetFor(const Session& session, const HitRecords& table);
 
 /// Appends the table's hits, on the targets of the same names or on otherTargetFor(), as one step to undo;
-/// its groups become new ones. All or none: the error says which names no target of the scene has.
+/// its groups become new ones. All or none: the error says which names no target of the scene has, or which
+/// hit is on a triangle that its target does not have.
 [[nodiscard]] Status appendRecords(Session& session, const HitRecords& table);
 
 }  // namespace hitscope

@@ -239,6 +239,28 @@ private Q_SLOTS:
         QCOMPARE(session.hits().history().size(), std::size_t{0});
     }
 
+    void triangleIsOneOfTheTarget() {
+        Session session;
+        loadTeapot(session);
+        const Target& target = *session.targets().front();
+        const auto triangles = static_cast<std::uint32_t>(target.shape.render->triangles.size() / 3);
+        HitRecords table;
+        table.targets[TargetId{1}] = target.name.toStdString();
+        Hit hit;
+        hit.target = TargetId{1};
+        hit.triangle = triangles - 1;
+        table.hits = {hit, hit};
+        QVERIFY(appendRecords(session, table).ok());
+        table.hits[1].triangle = kNoIndex;
+        QVERIFY(appendRecords(session, table).ok());
+        table.hits[1].triangle = triangles;
+        const Status refused = appendRecords(session, table);
+        QVERIFY(!refused.ok());
+        QCOMPARE(QString::fromStdString(refused.error().message()).section(QLatin1Char(','), 0, 0),
+                 QStringLiteral("hit 2: Its triangle is %1").arg(triangles));
+        QCOMPARE(session.hits().history().size(), std::size_t{4});
+    }
+
     /// As of a coarser version of the mesh, which has another name.
     void hitsOfOneTargetGoToTheOnlyOne() {
         Session session;
