@@ -233,6 +233,14 @@ void keepOutputs(const Invocation& given) {
     keptOutputs() = filesOf(given, true);
 }
 
+void keepOutputs(const QString& as, const QStringList& paths) {
+    for (const QString& path : paths) {
+        if (QFileInfo(path).isFile()) {  // of others there may be very many
+            keptOutputs().push_back({as, path, true});
+        }
+    }
+}
+
 bool areOutputsRefused() {
     return refusedSoFar;
 }

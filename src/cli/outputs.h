@@ -26,6 +26,8 @@ namespace hitscope::cli {
 
 /// Keeps what the command line writes, for what follows.
 void keepOutputs(const Invocation& given);
+/// Likewise files that the folder will have, of names that were not known then; `as`: what names the folder.
+void keepOutputs(const QString& as, const QStringList& paths);
 /// An error where one of these is a file that a target was read from, or one that this refers to: a session
 /// would refer to a mesh with dents, and apply its hits to it again.
 [[nodiscard]] Status checkSources(const Session& session);

@@ -14,6 +14,7 @@
 #include "cli/command_line.h"
 #include "cli/film.h"
 #include "cli/mesh_step_options.h"
+#include "cli/outputs.h"
 #include "cli/picture_arguments.h"
 #include "cli/progress_line.h"
 #include "cli/standard_streams.h"
@@ -161,8 +162,17 @@ QString baseName(int turntable) {
     return turntable > 0 ? QStringLiteral("turntable") : QStringLiteral("replay");
 }
 
-/// Numbered PNG files in the folder. turntable: how many pictures; 0: a replay, as far as `until`. Gives how
-/// many there are.
+/// The files in the folder that the pictures will be.
+QStringList picturePaths(const QString& folder, int turntable, int count) {
+    QStringList paths;
+    for (int number = 1; number <= count; ++number) {
+        paths << sequencePath(folder, baseName(turntable), number, count);
+    }
+    return paths;
+}
+
+/// Numbered PNG files in the folder, none of which is read. turntable: how many pictures; 0: a replay, as far
+/// as `until`. Gives how many there are.
 Result<int> drawPictures(Studio& studio, int turntable, std::optional<std::size_t> until,
                          const QString& folder) {
     Result<PictureSequence> sequence =
@@ -172,18 +182,22 @@ Result<int> drawPictures(Studio& studio, int turntable, std::optional<std::size_
         return sequence.error();
     }
     const int count = sequence.value().count();
+    const QStringList paths = picturePaths(folder, turntable, count);
+    keepOutputs(QStringLiteral("FOLDER"), paths);
+    if (Status free = checkSources(studio.opened.session()); !free) {
+        return free.error();
+    }
     ProgressLine progress(QStringLiteral("Drawing"), count);
-    for (int number = 1; number <= count; ++number) {
+    int drawn = 0;
+    for (const QString& path : paths) {
         const Result<Image> image = sequence.value().next();
         if (!image) {
             return image.error();
         }
-        if (Status saved =
-                savePicture(image.value(), sequencePath(folder, baseName(turntable), number, count));
-            !saved) {
+        if (Status saved = savePicture(image.value(), path); !saved) {
             return saved.error();
         }
-        progress.show(number);
+        progress.show(++drawn);
     }
     return count;
 }
@@ -191,8 +205,8 @@ Result<int> drawPictures(Studio& studio, int turntable, std::optional<std::size_
 /// Pictures there of the same name that belong to no picture of this sequence.
 qsizetype leftBehind(const QString& folder, int turntable, int count) {
     QSet<QString> own;
-    for (int number = 1; number <= count; ++number) {
-        own << QFileInfo(sequencePath(folder, baseName(turntable), number, count)).fileName();
+    for (const QString& path : picturePaths(folder, turntable, count)) {
+        own << QFileInfo(path).fileName();
     }
     const QStringList all =
         QDir(folder).entryList({baseName(turntable) + QStringLiteral("-*.png")}, QDir::Files);

@@ -193,6 +193,31 @@ private Q_SLOTS:
                               QStringLiteral("other.obj")}));
     }
 
+    void sequencesReplaceNothingThatTheyRead() {
+        const QByteArray mesh = contentOf(at("mesh.obj"));
+        for (const char* const base : {"turntable", "replay"}) {
+            const QString texture = QLatin1String(base) + QStringLiteral("-0002.png");
+            writeBytes(at("frames.mtl"), "newmtl red\nmap_Kd " + texture.toLatin1() + "\n");
+            writeBytes(at("framed.obj"), QByteArray(mesh).replace("my paint.mtl", "frames.mtl"));
+            QVERIFY(QFile::copy(at("wood.png"), m_folder->filePath(texture)));
+            const CliRun shot =
+                runCli({"shoot", "--random", "2", "--session", at("framed.hitscope"), at("framed.obj")});
+            QVERIFY2(shot.status == 0, qPrintable(shot.err));
+            const bool turns = QLatin1String(base) == QLatin1String("turntable");
+            QStringList command{"sequence", "--size", "64x36"};
+            command << (turns ? QStringList{"--turntable", "2"} : QStringList{"--replay"});
+            const CliRun run = runCli(command + QStringList{m_folder->path(), at("framed.hitscope")});
+            QCOMPARE(run.status, 3);
+            QVERIFY2(run.err.contains(QStringLiteral("FOLDER writes a file of \"framed\", which is read")),
+                     qPrintable(run.err));
+            QCOMPARE(contentOf(m_folder->filePath(texture)), contentOf(at("wood.png")));
+            QVERIFY(
+                !QFileInfo::exists(m_folder->filePath(QLatin1String(base) + QStringLiteral("-0001.png"))));
+            const CliRun elsewhere = runCli(command + QStringList{at("frames"), at("framed.hitscope")});
+            QVERIFY2(elsewhere.status == 0, qPrintable(elsewhere.err));
+        }
+    }
+
     void aMeshOnTheStandardOutputHasAReport_data() {
         QTest::addColumn<QStringList>("command");
         QTest::newRow("convert") << QStringList{"convert", "--format", "obj", "@mesh.obj", "-"};
