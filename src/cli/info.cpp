@@ -79,9 +79,10 @@ void printGeometry(Table& table, const MeshMeasurement& measurement) {
     }
     table.row(QStringLiteral("size"), vectorText(measures.box.size()));
     table.row(QStringLiteral("surface area"), QString::number(measures.faceArea.sum, 'g', 6));
-    if (measurement.topology.isSolid()) {
-        table.row(QStringLiteral("volume"), QString::number(measures.volume(), 'g', 6));
-    }
+    table.row(QStringLiteral("volume"),
+              measurement.topology.isSolid()
+                  ? QString::number(measures.volume(), 'g', 6)
+                  : statisticsText(statisticsRow("volume"), measurement, StatisticsSide::Original));
 }
 
 /// The rest of what the mesh statistics show.

@@ -247,9 +247,10 @@ Reason reasonFor(const Row& row, const SurfaceStatistics& topology) {
     if (topology.faces == topology.collapsedFaces) {
         return {QStringLiteral("–"), StatisticsRowTexts::tr("There are no faces.")};
     }
+    const bool isOpen = !isGenus && topology.boundaryEdges > 0;
     if (!topology.isManifold()) {
         return {
-            StatisticsRowTexts::tr("n/a"),
+            isOpen ? StatisticsRowTexts::tr("open") : StatisticsRowTexts::tr("n/a"),
             (isGenus ? StatisticsRowTexts::tr("Not defined: the surface is not manifold (%1, %2).")
                      : StatisticsRowTexts::tr("Not watertight: the surface is not manifold (%1, %2)."))
                 .arg(StatisticsRowTexts::tr("%Ln {edge|edges}", nullptr, trCount(topology.nonManifoldEdges)),
@@ -260,7 +261,7 @@ Reason reasonFor(const Row& row, const SurfaceStatistics& topology) {
         return {StatisticsRowTexts::tr("one-sided"),
                 StatisticsRowTexts::tr("Not defined: the surface is not orientable.")};
     }
-    if (topology.boundaryEdges > 0) {
+    if (isOpen) {
         return {StatisticsRowTexts::tr("open"),
                 StatisticsRowTexts::tr("Not watertight: %Ln boundary {edge|edges}.", nullptr,
                                        trCount(topology.boundaryEdges))};

@@ -168,6 +168,18 @@ private Q_SLOTS:
         QCOMPARE(value(QStringLiteral("volume")), QStringLiteral("0.166667"));
     }
 
+    void infoHasOneWordForNoVolume() {
+        const QTemporaryDir folder;
+        const QByteArray vertices = "v 0 0 0\nv 0 0 1\nv 1 0 0\nv 0 1 0\nv -1 0 0\n";
+        const QString open = writeFile(folder, QStringLiteral("open.obj"), vertices + "f 1 2 3\nf 2 1 4\n");
+        const QString fan =
+            writeFile(folder, QStringLiteral("fan.obj"), vertices + "f 1 2 3\nf 1 2 4\nf 1 2 5\n");
+        for (const QString& mesh : {open, fan}) {
+            const CliRun run = runCli({QStringLiteral("info"), mesh});
+            QCOMPARE(valueOf(run, QStringLiteral("volume")), QStringLiteral("open"));
+        }
+    }
+
     /// A cube of six sheets that share no vertex encloses a volume all the same.
     void infoWeldsSplitVertices() {
         const QTemporaryDir folder;

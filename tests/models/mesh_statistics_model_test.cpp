@@ -272,6 +272,7 @@ void MeshStatisticsModelTest::saysWhyThereIsNoVolume() {
     QTRY_COMPARE_WITH_TIMEOUT(cell(model, "genus", Model::OriginalColumn), QStringLiteral("n/a"), kPatience);
     QVERIFY(model.find("genus", 0).data(Qt::ToolTipRole).toString().contains(QStringLiteral("Not defined")));
     QCOMPARE(cell(model, "non_manifold_edges", Model::OriginalColumn), QStringLiteral("1"));
+    QCOMPARE(cell(model, "volume", Model::OriginalColumn), QStringLiteral("open"));  // the same word
 }
 
 void MeshStatisticsModelTest::measuresOnlyWhileLookedAt() {
