@@ -126,9 +126,11 @@ Verb sectionVerb() {
                             "the scene's; of a mesh that was moved or scaled there, the report says how."),
          .options =
              QList<UsageOption>{
-                 valueOption("plane", "PLANE",
-                             QStringLiteral("Plane: x=0.1 is perpendicular to x at 0.1 m; 1,1,0=0.5 is "
-                                            "perpendicular to that direction, 0.5 m along it.")),
+                 valueOption(
+                     "plane", "PLANE",
+                     QStringLiteral("Plane: x=0.1 is perpendicular to x at 0.1 m; -x=0.1, as --cut of "
+                                    "picture takes it, is the same plane; 1,1,0=0.5 is "
+                                    "perpendicular to that direction, 0.5 m along it.")),
                  outputOption("csv", QStringLiteral("Write a line for each corner; - for the "
                                                     "standard output.")),
                  outputOption(

@@ -18,6 +18,7 @@ private Q_SLOTS:
     void initTestCase();
     void wrong_data();
     void wrong();
+    void planesMayHaveAMinus();
 
 private:
     [[nodiscard]] QString in(const char* name) const { return m_folder.filePath(QLatin1String(name)); }
@@ -96,6 +97,25 @@ void ArgumentsTest::wrong() {
     QVERIFY2(run.status == 2, qPrintable(QString::number(run.status) + u'\n' + run.out + run.err));
     QVERIFY2(run.err.contains(says), qPrintable(run.err));
     QCOMPARE(QDir(m_folder.path()).entryList(all), before);
+}
+
+void ArgumentsTest::planesMayHaveAMinus() {
+    const auto profile = [this](const QStringList& plane) {
+        return runCli(QStringList{"section", "--csv", "-"} + plane + QStringList{in("one.hitscope")});
+    };
+    const CliRun plain = profile({"--plane", "x=0.25"});
+    QVERIFY2(plain.status == 0, qPrintable(plain.err));
+    QVERIFY(plain.out.count(u'\n') > 10);
+    for (const QStringList& plane : {QStringList{"--plane", "-x=0.25"}, QStringList{"--plane=-x=0.25"}}) {
+        const CliRun run = profile(plane);
+        QVERIFY2(run.status == 0, qPrintable(run.err));
+        QCOMPARE(run.out, plain.out);
+    }
+    QVERIFY(profile({"--plane", "x=-0.25"}).out != plain.out);
+    for (const char* const verb : {"section", "picture"}) {
+        const QString help = runCli({verb, "--help"}).out.simplified();
+        QVERIFY2(help.contains(QStringLiteral("-x=0.1")), qPrintable(help));
+    }
 }
 
 HITSCOPE_TEST(ArgumentsTest, QCoreApplication)
