@@ -211,6 +211,9 @@ private Q_SLOTS:
         QTest::addRow("vertices") << QStringLiteral("hit --vertices 3") << QStringLiteral("--vertices");
         QTest::addRow("triangles") << QStringLiteral("physics --triangles 499")
                                    << QStringLiteral("--triangles");
+        QTest::addRow("more than an import takes")
+            << QStringLiteral("io --triangles 50M")
+            << QStringLiteral("--triangles takes a whole number from 0 to");
         QTest::addRow("check") << QStringLiteral("check --only luck") << QStringLiteral("\"luck\"");
         QTest::addRow("file") << QStringLiteral("io out.json") << QStringLiteral("bench io takes no files");
         QTest::addRow("two outputs") << QStringLiteral("hit --json --csv -")

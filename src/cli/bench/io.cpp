@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How fast files come in and go out, beside what other programs need for the same file.
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -8,12 +10,16 @@
 #include "cli/bench/bench_options.h"
 #include "cli/bench/io_cost.h"
 #include "cli/standard_streams.h"
+#include "io/import.h"
 
 namespace hitscope::bench {
 
 namespace {
 
 constexpr int kMostFaces = 50'000'000;
+// Of what an import writes to, at most; measured with files that just do not fit what arrays have grown to.
+constexpr double kImportedPerQuad = 270.0;
+constexpr double kImportedPerPlyTriangle = 54.0;
 // Of all that is in memory at once; measured with 300,000 quads and 3,000,000 triangles, and a little more.
 constexpr double kBytesPerQuad = 1500.0;
 constexpr double kBytesPerPlyTriangle = 200.0;
@@ -130,12 +136,19 @@ cli::Outcome measureFiles(const IoOptions& options, const BenchRoom& room, Repor
                : cli::Outcome(Done{});
 }
 
+/// How many faces of so many bytes an import takes, in round numbers.
+int mostImported(double bytesPerFace) {
+    constexpr double kRound = 100'000.0;
+    const double most = static_cast<double>(usualImportMemory()) / bytesPerFace;
+    return static_cast<int>(std::clamp(std::floor(most / kRound) * kRound, kRound, double{kMostFaces}));
+}
+
 int runIo(Invocation& given) {
     IoOptions options;
     options.common = takeMeasuringOptions(given);
     takeSizeInto(options.common, given);
-    options.sizes.quads = takeCount(given, "quads", 1, kMostFaces);
-    options.sizes.plyTriangles = takeCount(given, "triangles", 0, kMostFaces);
+    options.sizes.quads = takeCount(given, "quads", 1, mostImported(kImportedPerQuad));
+    options.sizes.plyTriangles = takeCount(given, "triangles", 0, mostImported(kImportedPerPlyTriangle));
     options.sizes.width = options.common.width;
     options.sizes.height = options.common.height;
     options.strict = given.isSet("strict");
