@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "cli/progress_line.h"
 #include "deform/fingerprint.h"
 
 namespace hitscope::cli {
@@ -74,6 +75,7 @@ Status useAskedPipeline(Session& session, SceneGpu& gpu, std::optional<PipelineK
 }
 
 std::optional<ReferenceAgreement> agreementOfActive(const Session& session) {
+    const WaitingLine waiting(QStringLiteral("Comparing with the reference"));
     if (session.settings().pipeline() != PipelineKind::Reference) {
         return agreementWithReference(session, ReferenceMethod::Clusters);
     }
@@ -107,6 +109,7 @@ Status exportNamed(const Session& session, const Target& target, const QString& 
     ExportOptions options;
     options.format = exportFormatOf(path).value_or(ExportFormat::Obj);
     options.normals = normals;
+    const WaitingLine waiting(QStringLiteral("Writing"));
     const Result<ExportReport> written = exportTarget(session, target, path, options);
     if (!written) {
         return written.error();

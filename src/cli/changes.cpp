@@ -9,6 +9,7 @@
 #include "cli/common_options.h"
 #include "cli/opened_scene.h"
 #include "cli/placement_report.h"
+#include "cli/progress_line.h"
 #include "cli/scene_options.h"
 #include "cli/standard_streams.h"
 #include "cli/target_argument.h"
@@ -101,7 +102,10 @@ Outcome changes(Invocation& given, const SceneWish& wish) {
         return targets.error();
     }
     HitEffects effects(scene.session());
-    effects.finish();
+    {
+        const WaitingLine waiting(QStringLiteral("Measuring changes"));
+        effects.finish();
+    }
     ChangesTable table;
     for (const Target* target : targets.value()) {
         table.add(*target, effects.counts(target->id));

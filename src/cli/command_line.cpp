@@ -7,6 +7,8 @@
 #include <csignal>
 #include <cstdio>
 
+#include "cli/progress_line.h"
+
 namespace hitscope::cli {
 
 namespace {
@@ -24,6 +26,7 @@ int wrongUsage(const QString& text, const QString& verb) {
 
 int finish(const Outcome& outcome) {
     if (!outcome) {
+        WaitingLine::hide();
         QTextStream(stderr) << "hitscope-cli: " << QString::fromStdString(outcome.error().message()) << "\n";
     }
     return outcome.status();
@@ -35,6 +38,7 @@ QString counted(std::size_t count, const char* one, const char* many) {
 
 void note(const QString& text) {
     if (!quietSoFar) {
+        WaitingLine::hide();
         QTextStream(stderr) << text << "\n";
     }
 }

@@ -6,6 +6,7 @@
 #include "analysis/dent_hits.h"
 #include "cli/common_options.h"
 #include "cli/opened_scene.h"
+#include "cli/progress_line.h"
 #include "cli/scene_options.h"
 #include "cli/standard_streams.h"
 #include "cli/target_argument.h"
@@ -99,6 +100,7 @@ std::vector<DentPart> toldApart(const RenderMesh& mesh, const std::vector<std::u
 }
 
 std::vector<Dent> dentsOf(const Session& session, const Target& target, bool tellsApart) {
+    const WaitingLine waiting(QStringLiteral("Measuring dents"));
     const std::vector<std::uint32_t> triangles = fileTriangles(target.deformed.render());
     const std::span<const glm::vec3> before = target.deformed.original().positions;
     const std::span<const glm::vec3> after = target.deformed.positions();

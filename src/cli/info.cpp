@@ -8,6 +8,7 @@
 #include "cli/common_options.h"
 #include "cli/opened_scene.h"
 #include "cli/outputs.h"
+#include "cli/progress_line.h"
 #include "cli/verbs.h"
 #include "gl/context.h"
 #include "io/import.h"
@@ -195,6 +196,11 @@ Outcome describeSession(const QString& path, JsonReport& report, QTextStream& ou
     return Done{};
 }
 
+Outcome describeFile(const QString& path, JsonReport& report, QTextStream& out) {
+    const WaitingLine waiting(QStringLiteral("Measuring"));
+    return namesSession(path) ? describeSession(path, report, out) : describeMesh(path, report, out);
+}
+
 Outcome describeFiles(Invocation& given) {
     JsonReport report("info");
     QString text;
@@ -204,8 +210,7 @@ Outcome describeFiles(Invocation& given) {
     for (const QString& path : given.files()) {
         QString described;
         QTextStream out(&described);
-        const Outcome outcome =
-            namesSession(path) ? describeSession(path, report, out) : describeMesh(path, report, out);
+        const Outcome outcome = describeFile(path, report, out);
         out.flush();
         if (areOutputsRefused()) {
             return outcome;

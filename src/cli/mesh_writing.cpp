@@ -5,6 +5,7 @@
 #include <QFileInfo>
 
 #include "cli/common_options.h"
+#include "cli/progress_line.h"
 #include "cli/standard_streams.h"
 #include "session/export/export_target.h"
 
@@ -116,7 +117,10 @@ Outcome writeTargets(Invocation& given, const Session& session, const std::vecto
     const QString place =
         isStream ? scratch.file(QStringLiteral("mesh.") + QString::fromUtf8(traitsOf(options.format).suffix))
                  : path;
-    const Result<ExportReport> written = writeExport(copyForExport(session, targets, options), place);
+    const Result<ExportReport> written = [&] {
+        const WaitingLine waiting(QStringLiteral("Writing"));
+        return writeExport(copyForExport(session, targets, options), place);
+    }();
     if (!written) {
         return written.error();
     }

@@ -7,6 +7,7 @@
 
 #include "cli/agreement.h"
 #include "cli/outputs.h"
+#include "cli/progress_line.h"
 #include "cli/standard_streams.h"
 #include "document/document_json.h"
 #include "document/session_file.h"
@@ -65,6 +66,8 @@ Result<PreparedSession> prepareFrom(const QString& path) {
 
 namespace {
 
+constexpr const char* kApplying = "Applying hits";
+
 /// Whether the positions that were saved are of the same hits, and all of them.
 bool canCompare(const Session& session, const SessionDocument& document, std::size_t shown) {
     const bool keepsAll = pipelineTraits(document.simulation.pipeline).keepsAll;
@@ -111,6 +114,7 @@ Outcome OpenedScene::load(const SceneWish& wish) {
 }
 
 Outcome OpenedScene::open(const SceneWish& wish) {
+    const WaitingLine waiting(QStringLiteral("Opening"));
     if (namesSession(wish.path)) {
         Result<PreparedSession> prepared = prepareFrom(wish.path);
         if (!prepared) {
@@ -182,18 +186,21 @@ Outcome OpenedScene::openWithReference(const SceneWish& wish) {
 }
 
 Outcome OpenedScene::use(PipelineKind kind) {
+    const WaitingLine waiting(QString::fromLatin1(kApplying));
     const Status used = usePipeline(*m_session, *m_gpu, kind);
     m_pipeline = m_session->settings().pipeline();
     return used ? Outcome(Done{}) : cannotDraw(used.error());
 }
 
 Outcome OpenedScene::useAsked(std::optional<PipelineKind> asked) {
+    const WaitingLine waiting(QString::fromLatin1(kApplying));
     const Status used = useAskedPipeline(*m_session, *m_gpu, asked);
     m_pipeline = m_session->settings().pipeline();
     return used ? Outcome(Done{}) : cannotDraw(used.error());
 }
 
 Outcome OpenedScene::sync() {
+    const WaitingLine waiting(QString::fromLatin1(kApplying));
     if (m_reference) {
         m_reference->sync();
     }

@@ -3,11 +3,14 @@
 
 #include <QElapsedTimer>
 #include <QString>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
 
 namespace hitscope::cli {
 
 /// A line on the standard error that says how far something is, where that is a terminal and the program is
-/// not quiet; it is gone afterwards.
+/// not quiet, once it has taken half a second; it is gone afterwards.
 class ProgressLine {
 public:
     /// "Drawing", 120: shown as "Drawing: 7 of 120".
@@ -28,7 +31,32 @@ private:
     int m_count;
     bool m_isWanted;
     qsizetype m_shown = 0;  ///< characters
+    QElapsedTimer m_begun;
     QElapsedTimer m_since;  ///< it was shown
+};
+
+/// The same for what does not say how far it is: "Applying hits: 3 s", from a thread of its own. Within
+/// another one it shows nothing.
+class WaitingLine {
+public:
+    explicit WaitingLine(const QString& doing);
+    ~WaitingLine();
+    WaitingLine(const WaitingLine&) = delete;
+    WaitingLine& operator=(const WaitingLine&) = delete;
+
+    /// Of the one that is there, if any: for what else is said meanwhile. It comes again.
+    static void hide();
+
+private:
+    void run();
+    void clear();  ///< with the mutex
+
+    QString m_doing;
+    std::mutex m_mutex;
+    std::condition_variable m_over;
+    bool m_isOver = false;
+    qsizetype m_shown = 0;  ///< characters
+    std::thread m_thread;   ///< none: nothing is shown
 };
 
 }  // namespace hitscope::cli

@@ -2,6 +2,7 @@
 #include "cli/repeat_options.h"
 
 #include "analysis/hit_planner.h"
+#include "cli/progress_line.h"
 #include "deform/mirrored_hits.h"
 #include "deform/scattered_hits.h"
 
@@ -58,6 +59,7 @@ Status scatterHits(Session& session, const RepeatWish& wish, std::uint32_t seed)
     if (!wish.scatters() || session.targets().empty()) {
         return Done{};
     }
+    const WaitingLine waiting(QStringLiteral("Scattering hits"));
     const Target& target = *session.targets().front();
     ScatterPlan plan;
     plan.byDensity = wish.density > 0.0;

@@ -184,6 +184,7 @@ Status writeShots(const ShotScript& script, const QString& path) {
 }
 
 Status writeHits(Session& session, const QString& path) {
+    const WaitingLine waiting(QStringLiteral("Measuring hits"));
     HitEffects effects(session);
     effects.finish();
     const HitRecords table = recordsOf(session, &effects);
