@@ -10,6 +10,7 @@ namespace hitscope::cli {
 
 namespace {
 
+constexpr double kLeastScale = 1.0e-30;  // what is smaller may be read no more
 constexpr double kMostScale = 1.0e9;
 
 /// By UpAxis.
@@ -31,10 +32,7 @@ QList<UsageOption> coordinateOptions() {
 
 CoordinateChange givenCoordinates(Invocation& given) {
     CoordinateChange change;
-    change.scale = given.numberIfSet("scale", 0.0, kMostScale).value_or(1.0);
-    if (!(change.scale > 0.0)) {
-        given.complain(QStringLiteral("--scale takes a number above 0."));
-    }
+    change.scale = given.numberIfSet("scale", kLeastScale, kMostScale).value_or(1.0);
     change.from = static_cast<UpAxis>(given.word("up"));
     change.to = static_cast<UpAxis>(given.word("write-up"));
     return change;

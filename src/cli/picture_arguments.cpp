@@ -2,6 +2,7 @@
 #include "cli/picture_arguments.h"
 
 #include <array>
+#include <cmath>
 
 #include "cli/common_options.h"
 #include "cli/cut_argument.h"
@@ -113,7 +114,8 @@ void readChange(Invocation& given, ChangeMapOptions& change) {
         bool isLow = false;
         bool isHigh = false;
         const ChangeRange range{ends.value(0).toFloat(&isLow), ends.value(1).toFloat(&isHigh)};
-        if (ends.size() != 2 || !isLow || !isHigh || !(range.low < range.high)) {
+        const bool isFinite = std::isfinite(range.high - range.low);
+        if (ends.size() != 2 || !isLow || !isHigh || !isFinite || !(range.low < range.high)) {
             given.complain(QStringLiteral("--range takes two numbers, the lower first, as in 0,0.3."));
         }
         change.style().automatic = false;

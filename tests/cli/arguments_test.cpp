@@ -77,6 +77,16 @@ void ArgumentsTest::wrong_data() {
     row("picture --fill-cut @a.png @one.hitscope", "--fill-cut goes with --cut");
     row("picture --seed 3 @a.png @ball.obj", "--seed goes with --shots");
     row("sequence --turntable 2 --fill-cut @frames @ball.obj", "--fill-cut goes with --cut");
+    // No usable numbers.
+    for (const char* const range :
+         {"0,inf", "-inf,inf", "nan,1", "0,1e39", "-3e38,3e38", "1,0", "1", "0,1,5"}) {
+        row(qPrintable(QStringLiteral("picture --change x --range=%1 @a.png @one.hitscope").arg(range)),
+            "--range takes two numbers, the lower first");
+    }
+    for (const char* const scale : {"1e-320", "0", "nan", "inf", "1e400", "1,5"}) {
+        row(qPrintable(QStringLiteral("convert --scale %1 @ball.obj @a.obj").arg(scale)),
+            "--scale takes a number from 1e-30 to 1e+09.");
+    }
     // A folder is no stream.
     row("demo --out - @ball.obj", "--out cannot be the standard output");
     row("sweep --out - @plan.json", "--out cannot be the standard output");
