@@ -85,7 +85,7 @@ private:
             visit.flag("keep_quads", what.keepQuads);
         } else if constexpr (std::is_same_v<Kind, SimplifyOptions>) {
             visit.number("share", what.share, std::numeric_limits<float>::min(),
-                         1.0 - std::numeric_limits<double>::epsilon());
+                         1.0 - std::numeric_limits<float>::epsilon());
         } else {
             visit.number("passes", what.passes, 1.0, SmoothOptions::kMostPasses);
             visit.flag("keep_borders", what.keepBorders);
