@@ -188,7 +188,7 @@ void ObjTest::refuses_data() {
     QTest::newRow("index too negative") << "f 1 2 -4\n"
                                         << "line 4: The face refers to vertex -4, but there are only 3";
     QTest::newRow("index zero") << "\nf 0 1 2\n"
-                                << "line 5: The face refers to vertex 0";
+                                << "line 5: The face refers to vertex 0, but OBJ files count from 1.";
     QTest::newRow("index huge") << "f 1 2 99999999999999999999\n"
                                 << "line 4: The face refers to vertex";
     QTest::newRow("no index") << "f 1 2 three\n"

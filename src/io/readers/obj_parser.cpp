@@ -111,7 +111,10 @@ std::uint32_t ObjParser::vertexIndex(long long written, const char* of) {
     if (written < 0 && !m_isWhole) {
         throw BadLine{"It counts from the end of what comes before."};
     }
-    if (written < 0 ? written < -count : written == 0 || written >= kNoIndex) {
+    if (written == 0) {
+        throw BadLine{"The " + std::string(of) + " refers to vertex 0, but OBJ files count from 1."};
+    }
+    if (written < 0 ? written < -count : written >= kNoIndex) {
         const bool isRead = written < std::numeric_limits<long long>::max();
         throw BadLine{"The " + std::string(of) + " refers to vertex " +
                       (isRead ? std::to_string(written) : "9223372036854775807 or more") +
