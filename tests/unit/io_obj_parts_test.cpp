@@ -67,6 +67,9 @@ void ObjPartsTest::comeToTheSameMesh_data() {
     QTest::addRow("counted from the end") << text + "f -1/-1/-1 -2 -3\nv 1 1 1\n";
     QTest::addRow("no line end") << text + "v 1 2 3";
     QTest::addRow("line ends of Windows") << QString(text).replace('\n', "\r\n");
+    QTest::addRow("line ends of all kinds") << text + "v 0 0 0\rv 1 1 1\n" +
+                                                   QString(text).replace('\n', "\r\n") +
+                                                   QString(text).replace('\n', '\r');
     QTest::addRow("few lines") << QStringLiteral("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     QTest::addRow("one line") << QStringLiteral("v 0 0 0");
 }
@@ -89,7 +92,6 @@ void ObjPartsTest::comeToTheSameError_data() {
     QTest::addRow("a word") << "v 1 two 3\n";
     QTest::addRow("a vertex that never comes") << "f 1 2 99999\nf 1 2 99998\n";
     QTest::addRow("before the first") << "f 1 2 -99999\n";
-    QTest::addRow("a line that another hides") << "v 0 0 0\rv 1 1 1\n";
     QTest::addRow("cut off") << "f 1 2";
 }
 

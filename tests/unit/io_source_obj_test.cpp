@@ -107,6 +107,7 @@ void SourceObjTest::isTheFileWhereNothingMoved_data() {
     QTest::addRow("plain") << plain;
     QTest::addRow("CRLF") << crlf;
     QTest::addRow("CR") << cr;
+    QTest::addRow("all of these") << plain + "v 2 0.50 0\r# a\rf 1 2 4\r\n" + cr + crlf;
     QTest::addRow("mark") << "\xEF\xBB\xBF" + plain;
     QTest::addRow("no line end") << plain.chopped(1);
     QTest::addRow("numbers as they are spelled")
@@ -136,6 +137,10 @@ void SourceObjTest::replacesWhatChanged_data() {
                             << QByteArray(" v\t 0.100  7.5 \t3 0.5 # w\r\n");
     QTest::addRow("colours") << QByteArray("v 1 2 3 0.50 0.25 1\n") << QByteArray("v 1 7.5 3 0.50 0.25 1\n");
     QTest::addRow("continued") << QByteArray("v 1 \\\n2\\\n 3\n") << QByteArray("v 1 \\\n7.5\\\n 3\n");
+    QTest::addRow("other line ends") << QByteArray("v 1.0 2 3\rvt 0 0\r\n")
+                                     << QByteArray("v 1.0 7.5 3\rvt 0 0\r\n");
+    QTest::addRow("other line ends before it")
+        << QByteArray("\rvp 1\rv 1 2 \\\r3\r\rs 1\r") << QByteArray("\rvp 1\rv 1 7.5 \\\r3\r\rs 1\r");
     QTest::addRow("continued keyword") << QByteArray("v\\\n 1 2 3\n") << QByteArray("v\\\n 1 7.5 3\n");
 }
 

@@ -15,8 +15,10 @@ inline std::string randomObj(std::mt19937& random) {
     const auto pick = [&](std::initializer_list<const char*> words) {
         return std::string(*(words.begin() + below(static_cast<int>(words.size()))));
     };
-    const std::string lineEnd = pick({"\n", "\r\n", "\r"});
-    const auto gap = [&] { return pick({" ", " ", " ", "  ", "\t"}) + (below(20) ? "" : "\\" + lineEnd); };
+    const std::string usualEnd = pick({"\n", "\r\n", "\r"});
+    const bool isMixed = below(4) == 0;
+    const auto lineEnd = [&] { return isMixed ? pick({"\n", "\r\n", "\r"}) : usualEnd; };
+    const auto gap = [&] { return pick({" ", " ", " ", "  ", "\t"}) + (below(20) ? "" : "\\" + lineEnd()); };
     std::string text = pick({"", "", "\xEF\xBB\xBF"});
     int vertices = 0;
     int normals = 0;
@@ -49,9 +51,9 @@ inline std::string randomObj(std::mt19937& random) {
             text += pick(
                 {"# comment \\", "", "g a b", "s 1", "vt 0.5 0.50 0", "usemtl x", "o v", "vp 1 2", "l 1 2"});
         }
-        text += lineEnd;
+        text += lineEnd();
     }
-    text += "f 1 2 3" + pick({"", "", " \\"}) + pick({"", lineEnd.c_str()});
+    text += "f 1 2 3" + pick({"", "", " \\"}) + pick({"", usualEnd.c_str()});
     return text;
 }
 

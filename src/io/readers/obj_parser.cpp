@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/readers/obj_parser.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "io/readers/obj_numbers.h"
 #include "io/readers/text_cursor.h"
+#include "io/writers/obj_lines.h"
 
 namespace hitscope {
 namespace {
@@ -26,20 +26,6 @@ bool isContinued(std::string_view line) {
     TextCursor start(line);
     start.skipBlanks();
     return start.peek() != '#';
-}
-
-/// Whether a carriage return in the line ends it for whoever wrote what comes behind: lines would be missed.
-bool hidesLine(std::string_view line) {
-    static constexpr std::string_view kKeywords[] = {"v", "vn", "vt", "f", "fo",     "l",
-                                                     "p", "s",  "g",  "o", "usemtl", "mtllib"};
-    const std::size_t begin = line.find_first_not_of(" \t\r\f\v");
-    for (std::size_t at = line.find('\r', begin); at != line.npos; at = line.find('\r', at + 1)) {
-        const std::string_view word = TextCursor(line.substr(at)).word();
-        if (std::ranges::find(kKeywords, word) != std::end(kKeywords)) {
-            return true;
-        }
-    }
-    return false;
 }
 
 }  // namespace
@@ -286,8 +272,8 @@ void ObjParser::parseLine(std::string_view text) {
     } else if (keyword.front() != '#' && !parseName(keyword, line)) {
         m_part.freeForm += keyword == "curv" || keyword == "curv2" || keyword == "surf" ? 1 : 0;
     }
-    if (!line.atEnd() && hidesLine(text)) {  // most lines are read to their end
-        throw BadLine{};                     // see errorHere()
+    if (!line.atEnd() && hidesObjLine(text)) {  // most lines are read to their end
+        throw BadLine{};                        // see parse()
     }
 }
 
@@ -296,13 +282,7 @@ Error ObjParser::errorAt(const std::string& what, std::size_t line) {
             "Correct the line, or write the file again with the program it came from."};
 }
 
-Error ObjParser::errorHere(std::string_view line, const std::string& what) const {
-    if (hidesLine(line)) {
-        return {
-            "There are line ends of two kinds: a carriage return in the middle of the line hides another.",
-            "line " + std::to_string(m_line),
-            "Open the file in a text editor and save it with one kind of line end."};
-    }
+Error ObjParser::errorHere(const std::string& what) const {
     Error error = errorAt(what, m_line);
     if (m_lastLineCut) {
         error.what += " The file ends there, in the middle of a line.";
@@ -322,7 +302,8 @@ ObjPart ObjParser::parse() {
         try {
             parseLine(line);
         } catch (const BadLine& bad) {
-            m_part.error = errorHere(line, bad.what);
+            m_part.error = errorHere(bad.what);
+            m_part.hidesLine = hidesObjLine(line);
             break;
         }
         if (text.offset() - told >= kTellEvery) {

@@ -36,6 +36,7 @@ struct ObjPart {
     std::size_t smallLines = 0;
     std::size_t freeForm = 0;
     std::optional<Error> error;  ///< the first line that is wrong
+    bool hidesLine = false;      ///< it is, as it has a carriage return that ends a line
 
     [[nodiscard]] std::size_t faceCount() const { return mesh.faceStarts.size() - 1; }
 };
@@ -73,7 +74,7 @@ private:
     void useMaterial(std::string_view name);
     std::uint32_t vertexIndex(long long written, const char* of);
     std::uint32_t otherIndex(long long written, std::size_t count) const;
-    [[nodiscard]] Error errorHere(std::string_view line, const std::string& what) const;
+    [[nodiscard]] Error errorHere(const std::string& what) const;
 
     std::string_view m_text;
     bool m_isWhole;

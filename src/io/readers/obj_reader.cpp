@@ -262,18 +262,34 @@ std::optional<ImportedMesh> parseInParts(std::string_view text, std::size_t coun
     return joined ? std::optional(std::move(joined).value()) : std::nullopt;
 }
 
-Result<ImportedMesh> parseText(std::string_view text, std::size_t parts, const ProgressSink& sink) {
+/// All lines end with a line feed, and a carriage return before it or not.
+std::string withLineFeeds(std::string_view text) {
+    std::string plain(text);
+    for (std::size_t at = plain.find('\r'); at != plain.npos; at = plain.find('\r', at + 1)) {
+        if (at + 1 == plain.size() || plain[at + 1] != '\n') {
+            plain[at] = '\n';
+        }
+    }
+    return plain;
+}
+
+/// Nothing where lines end in other ways, too.
+std::optional<Result<ImportedMesh>> parseText(std::string_view text, std::size_t parts,
+                                              const ProgressSink& sink) {
     if (parts > 1) {
         if (std::optional<ImportedMesh> mesh = parseInParts(text, parts, sink)) {
-            return *std::move(mesh);
+            return Result<ImportedMesh>(*std::move(mesh));
         }
     }
     PartsProgress progress(text.size(), sink);
     const ObjParser::Told told = [&progress](std::size_t bytes) { progress.read(bytes); };
     std::vector<ObjPart> whole;
     whole.push_back(ObjParser(text, ObjParser::Whole::Yes, told).parse());
+    if (whole.front().hidesLine) {
+        return std::nullopt;
+    }
     if (whole.front().error) {
-        return *whole.front().error;
+        return Result<ImportedMesh>(*whole.front().error);
     }
     return join(std::move(whole));
 }
@@ -290,12 +306,9 @@ Result<ImportedMesh> parseObjInParts(std::string_view text, std::size_t parts, c
     if (text.starts_with(kByteOrderMark)) {
         text.remove_prefix(kByteOrderMark.size());
     }
-    if (text.find('\n') == text.npos && text.find('\r') != text.npos) {  // line ends of old Macs
-        std::string unixText(text);
-        std::replace(unixText.begin(), unixText.end(), '\r', '\n');
-        return parseText(unixText, parts, progress);
-    }
-    return parseText(text, parts, progress);
+    const bool isOldMac = text.find('\n') == text.npos && text.find('\r') != text.npos;
+    std::optional<Result<ImportedMesh>> mesh = isOldMac ? std::nullopt : parseText(text, parts, progress);
+    return mesh ? *std::move(mesh) : *parseText(withLineFeeds(text), parts, progress);
 }
 
 }  // namespace hitscope

@@ -30,6 +30,7 @@ struct Range {
     std::uint64_t firstFace = 0;  // its end: none
     bool hasRelativeNormals = false;
     bool endsContinued = false;
+    bool hidesLine = false;
     bool isRead = true;
 };
 
@@ -42,12 +43,26 @@ bool hasRelativeNumber(std::string_view text, const SourcePart& part) {
     return text.find('-') != text.npos && (part.vertices + part.normals == 0 || text.find("/-") != text.npos);
 }
 
+/// Whether a carriage return comes before something else than a line feed.
+bool hasLoneReturn(std::string_view text) {
+    unsigned found = 0;
+    for (std::size_t i = 1; i < text.size(); ++i) {  // without a branch: many bytes at once
+        found |= static_cast<unsigned>(text[i - 1] == '\r') & static_cast<unsigned>(text[i] != '\n');
+    }
+    return found != 0;
+}
+
 class Indexer {
 public:
-    Indexer(int descriptor, ObjFaces faces, const std::function<bool(double)>& goOn)
-        : m_descriptor(descriptor), m_faces(faces), m_goOn(goOn) {}
+    /// lineEnd: kAnyLineEnd, or '\n' where the file is to be asked.
+    Indexer(int descriptor, ObjFaces faces, char lineEnd, const std::function<bool(double)>& goOn)
+        : m_descriptor(descriptor), m_faces(faces), m_goOn(goOn) {
+        m_index.lineEnd = lineEnd;
+    }
 
     std::optional<ObjIndex> index();
+    /// Whether there are line ends of more kinds than one, as the reader has them.
+    [[nodiscard]] bool hidesLine() const { return m_hidesLine; }
 
 private:
     bool findLineEnd();
@@ -65,6 +80,7 @@ private:
     std::uint64_t m_start = 0;            // behind the byte order mark
     std::vector<std::uint64_t> m_hashes;  // of the file's pieces
     std::atomic<bool> m_isGivenUp = false;
+    bool m_hidesLine = false;
 };
 
 /// The line end is the reader's: '\r' only where no '\n' is in the whole file.
@@ -83,7 +99,7 @@ bool Indexer::findLineEnd() {
         }
         hasReturn = hasReturn || piece.find('\r') != piece.npos;
     }
-    if (hasReturn) {
+    if (hasReturn && m_index.lineEnd != kAnyLineEnd) {
         m_index.lineEnd = '\r';
         m_index.newLine = "\r";
     }
@@ -92,13 +108,16 @@ bool Indexer::findLineEnd() {
 
 bool Indexer::findStart() {
     std::string head(std::min<std::uint64_t>(m_index.size, kByteOrderMark.size()), '\0');
-    char last = m_index.lineEnd;
+    char last = '\n';
     if (!readAt(m_descriptor, 0, head.data(), head.size()) ||
         (m_index.size > 0 && !readAt(m_descriptor, m_index.size - 1, &last, 1))) {
         return false;
     }
     m_start = head == kByteOrderMark ? head.size() : 0;
-    m_index.endsInLine = last != m_index.lineEnd;
+    m_index.endsInLine = !isLineEnd(last, m_index.lineEnd);
+    if (m_index.lineEnd == kAnyLineEnd && last == '\r') {
+        m_index.newLine = "\r\n";  // a line feed alone would belong to that
+    }
     return true;
 }
 
@@ -112,8 +131,10 @@ std::optional<std::uint64_t> Indexer::lineStartAfter(std::uint64_t wanted) const
         if (!readAt(m_descriptor, from, window.data(), window.size())) {
             return std::nullopt;
         }
-        for (std::size_t end = window.find(m_index.lineEnd, at - from); end != window.npos;
-             end = window.find(m_index.lineEnd, end + 1)) {
+        const std::string_view ends =
+            m_index.lineEnd == kAnyLineEnd ? "\r\n" : std::string_view(&m_index.lineEnd, 1);
+        for (std::size_t end = window.find_first_of(ends, at - from); end != window.npos;
+             end = window.find_first_of(ends, end + 1)) {
             const std::size_t last = window.find_last_not_of(" \t\f\v\r\n", end);
             if (last == window.npos || window[last] != '\\') {
                 return from + end + 1;
@@ -181,9 +202,11 @@ void Indexer::takeLines(Range& range, std::string& text, std::uint64_t& textStar
         part = {textStart + done};
         begin = done;
     };
+    const bool mayHide = m_index.lineEnd == '\n' && hasLoneReturn(text);
     while (lines.next(line) && (isLast || line.end < text.size())) {
-        take(range, part, std::string_view(text).substr(line.start, line.end - line.start),
-             textStart + line.start);
+        const std::string_view whole = std::string_view(text).substr(line.start, line.end - line.start);
+        take(range, part, whole, textStart + line.start);
+        range.hidesLine = range.hidesLine || (mayHide && hidesObjLine(whole));
         done = line.end;
         range.endsContinued = lines.wantsMore();
         if (done - begin >= kPart) {
@@ -246,6 +269,7 @@ std::optional<ObjIndex> Indexer::index() {
         }
         m_index.parts.insert(m_index.parts.end(), range.parts.begin(), range.parts.end());
         m_index.hasRelativeNormals = m_index.hasRelativeNormals || range.hasRelativeNormals;
+        m_hidesLine = m_hidesLine || range.hidesLine;
         m_index.afterNormals = std::max(m_index.afterNormals, range.afterNormals);
         m_index.endsContinued = range.parts.empty() ? m_index.endsContinued : range.endsContinued;
         if (range.firstFace < range.end) {
@@ -259,7 +283,10 @@ std::optional<ObjIndex> Indexer::index() {
 }  // namespace
 
 std::optional<ObjIndex> indexObj(int descriptor, ObjFaces faces, const std::function<bool(double)>& goOn) {
-    return Indexer(descriptor, faces, goOn).index();
+    Indexer usual(descriptor, faces, '\n', goOn);
+    std::optional<ObjIndex> index = usual.index();
+    return index && usual.hidesLine() ? Indexer(descriptor, faces, kAnyLineEnd, goOn).index()
+                                      : std::move(index);
 }
 
 bool isObjFace(std::string_view line, char lineEnd) {

@@ -25,7 +25,7 @@ struct ObjIndex {
     std::vector<SourcePart>
         parts;  ///< all of the file but its byte order mark, in order; 256 KB each, so that caches hold them
     std::uint64_t hash = 0;           ///< contentHash()
-    char lineEnd = '\n';              ///< or '\r', for files of old Macs
+    char lineEnd = '\n';              ///< or '\r', for files of old Macs, or kAnyLineEnd
     std::string newLine = "\n";       ///< for lines that are added: also "\r\n" or "\r"
     std::uint64_t afterNormals = 0;   ///< byte behind the last vn line; 0: there is none
     std::uint64_t firstFace = 0;      ///< byte at which the first face starts; the file's size: none

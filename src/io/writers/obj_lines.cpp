@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/writers/obj_lines.h"
 
+#include <algorithm>
 #include <cstring>
+
+#include "io/readers/text_cursor.h"
 
 namespace hitscope {
 namespace {
@@ -16,15 +19,40 @@ bool isComment(std::string_view line) {
 
 }  // namespace
 
+bool hidesObjLine(std::string_view line) {
+    static constexpr std::string_view kKeywords[] = {
+        "v",      "vn",   "vt",   "vp",    "f",    "fo",   "l",    "p",      "s",    "g",   "o",  "usemtl",
+        "mtllib", "curv", "surf", "curv2", "trim", "hole", "scrv", "cstype", "bmat", "deg", "mg", "end"};
+    const std::size_t begin = line.find_first_not_of(" \t\r\f\v");
+    for (std::size_t at = line.find('\r', begin); at != line.npos; at = line.find('\r', at + 1)) {
+        const std::string_view word = TextCursor(line.substr(at)).word();
+        const bool isContinued = at > 0 && line[at - 1] == '\\' && !word.empty();
+        if (isContinued || std::ranges::find(kKeywords, word) != std::end(kKeywords)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Where the line that begins at m_at ends; the text's end if nothing ends it.
+std::size_t ObjLines::nextEnd() const {
+    if (m_lineEnd == kAnyLineEnd) {
+        return std::min(m_text.find_first_of("\r\n", m_at), m_text.size());
+    }
+    const void* const found = std::memchr(m_text.data() + m_at, m_lineEnd, m_text.size() - m_at);
+    return found ? static_cast<std::size_t>(static_cast<const char*>(found) - m_text.data()) : m_text.size();
+}
+
 bool ObjLines::next(TextRange& line) {
     line.start = m_at;
     m_wantsMore = false;
     while (m_at < m_text.size()) {
         const std::size_t begin = m_at;
-        const void* const found = std::memchr(m_text.data() + begin, m_lineEnd, m_text.size() - begin);
-        const std::size_t stop =
-            found ? static_cast<std::size_t>(static_cast<const char*>(found) - m_text.data()) : m_text.size();
-        m_at = found ? stop + 1 : stop;
+        const std::size_t stop = nextEnd();
+        m_at = std::min(stop + 1, m_text.size());
+        if (m_lineEnd == kAnyLineEnd && m_text.substr(stop, 2) == "\r\n") {
+            ++m_at;
+        }
         std::size_t last = stop;
         while (last > begin && isSpace(m_text[last - 1])) {
             --last;
@@ -41,7 +69,7 @@ bool ObjLines::next(TextRange& line) {
 /// A backslash counts as blank where only blanks follow it on its line.
 bool ObjWords::isContinued(std::size_t at) const {
     for (++at; at < m_line.size() && isSpace(m_line[at]); ++at) {
-        if (m_line[at] == m_lineEnd) {
+        if (isLineEnd(m_line[at], m_lineEnd)) {
             return true;
         }
     }

@@ -16,6 +16,17 @@ struct TextRange {
     std::size_t end = 0;
 };
 
+/// What ends the lines of a file with line ends of several kinds: '\n', '\r', or both together.
+inline constexpr char kAnyLineEnd = '\0';
+
+inline bool isLineEnd(char c, char lineEnd) {
+    return lineEnd == kAnyLineEnd ? c == '\n' || c == '\r' : c == lineEnd;
+}
+
+/// Whether a carriage return in a line that ends with '\n' ends it for whoever wrote what comes behind: lines
+/// would be missed.
+[[nodiscard]] bool hidesObjLine(std::string_view line);
+
 /// What separates words.
 inline bool isSpace(char c) {
     return c == ' ' || (c >= '\t' && c <= '\r');
@@ -26,7 +37,7 @@ inline bool isSpace(char c) {
 /// in the file.
 class ObjLines {
 public:
-    /// lineEnd: '\n', or '\r' for files of old Macs.
+    /// lineEnd: '\n', '\r' for files of old Macs, or kAnyLineEnd.
     ObjLines(std::string_view text, char lineEnd) : m_text(text), m_lineEnd(lineEnd) {}
 
     /// The next line with its end; false where there is none.
@@ -37,6 +48,8 @@ public:
 private:
     std::string_view m_text;
     std::size_t m_at = 0;
+    [[nodiscard]] std::size_t nextEnd() const;
+
     bool m_wantsMore = false;
     char m_lineEnd;
 };
