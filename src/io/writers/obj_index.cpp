@@ -45,9 +45,14 @@ bool hasRelativeNumber(std::string_view text, const SourcePart& part) {
 
 /// Whether a carriage return comes before something else than a line feed.
 bool hasLoneReturn(std::string_view text) {
-    unsigned found = 0;
-    for (std::size_t i = 1; i < text.size(); ++i) {  // without a branch: many bytes at once
-        found |= static_cast<unsigned>(text[i - 1] == '\r') & static_cast<unsigned>(text[i] != '\n');
+    if (text.find('\r') == text.npos) {
+        return false;
+    }
+    std::uint8_t found = 0;
+    const char* const bytes = text.data();
+    for (std::size_t i = 0; i + 1 < text.size(); ++i) {  // without a branch: many bytes at once
+        found |= static_cast<std::uint8_t>(static_cast<std::uint8_t>(bytes[i] == '\r') &
+                                           static_cast<std::uint8_t>(bytes[i + 1] != '\n'));
     }
     return found != 0;
 }
