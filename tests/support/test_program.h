@@ -2,8 +2,6 @@
 #pragma once
 
 #include <QCoreApplication>
-#include <QFont>
-#include <QLocale>
 #include <QTest>
 #include <string_view>
 
@@ -33,15 +31,6 @@ void initMain() {
     }
 }
 
-/// Numbers and texts are those of no country and of no desktop; a class that wants others sets them.
-template <class Application>
-void leaveDesktop() {
-    QLocale::setDefault(QLocale::c());
-    if constexpr (requires { Application::setFont(QFont()); }) {
-        Application::setFont(QFont(QStringLiteral("DejaVu Sans"), 9));
-    }
-}
-
 }  // namespace hitscope::test
 
 /// Once at the end of NAME_test.cpp, in place of QTEST_MAIN: all tests of a folder are one program, which
@@ -52,7 +41,6 @@ void leaveDesktop() {
         hitscope::test::initMain<TestClass>();                                                      \
         const Application application(argc, argv);                                                  \
         QCoreApplication::setAttribute(Qt::AA_Use96Dpi);                                            \
-        hitscope::test::leaveDesktop<Application>();                                                \
         TestClass tests;                                                                            \
         return QTest::qExec(&tests, argc, argv);                                                    \
     });
