@@ -215,10 +215,6 @@ void HitPlanner::gather() {
             refuse(tr("Select a target first."));
             return;
         }
-        if (m_wish->scatter && !target->visible) {
-            refuse(tr("%1 is hidden. Show it, or select another target.").arg(target->name));
-            return;
-        }
         if (!m_copies.gather(*target, room, [target] {
                 return std::make_shared<PlannedCopy>(target->deformed.sharedOriginal(),
                                                      target->deformed.sharedRender());

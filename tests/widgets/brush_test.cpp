@@ -2,7 +2,6 @@
 // Hits painted, scattered and mirrored in the window, by real mouse and keys.
 #include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QLabel>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QWheelEvent>
@@ -217,20 +216,6 @@ private Q_SLOTS:
         }
         m_session->undo();
         QCOMPARE(hits().size(), std::size_t{0});
-    }
-
-    void nothingIsScatteredOverAHiddenTarget() {
-        const TargetId sphere = m_session->targets().front()->id;
-        m_session->targets().setVisible({&sphere, 1}, false);
-        trigger(QStringLiteral("Scatter Hits"));
-        auto* dialog = m_window->findChild<ScatterDialog*>();
-        QVERIFY(dialog != nullptr);
-        const auto* apply = dialog->findChild<QPushButton*>(QStringLiteral("apply"));
-        const auto* summary = dialog->findChild<QLabel*>(QStringLiteral("summary"));
-        QTRY_VERIFY_WITH_TIMEOUT(summary->text().contains(QStringLiteral("is hidden")), kPatience);
-        QVERIFY(!apply->isEnabled() && apply->toolTip().contains(QStringLiteral("is hidden")));
-        m_session->targets().setVisible({&sphere, 1}, true);
-        QTRY_VERIFY_WITH_TIMEOUT(apply->isEnabled(), kPatience);
     }
 
     /// In a field Return takes the number, and then what is planned.
