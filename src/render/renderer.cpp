@@ -165,7 +165,7 @@ void prepareFramebuffer(const Frame& frame, GLuint framebuffer, const DrawnPixel
     glLineWidth(1.0f);
     glBlendEquation(GL_FUNC_ADD);
     startBlending(frame);
-    if (before == Before::Stays) {
+    if (before == Before::Stays || (within != nullptr && within->cleared)) {
         return;
     }
     const bool isBeside = frame.left > 0 && within == nullptr;  // of another picture, which stays

@@ -24,13 +24,17 @@ gl::Texture makeTexture(GLint format, GLenum pixels, GLenum type, int width, int
     return texture;
 }
 
-/// depth: 0 for none.
+gl::Texture makeDepths(int width, int height) {
+    return makeTexture(GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, width, height);
+}
+
+/// depthTexture: of makeDepths(); 0 for none.
 gl::Framebuffer makeFramebuffer(GLuint colour, GLuint depthTexture) {
     gl::Framebuffer framebuffer = gl::Framebuffer::make();
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, colour, 0);
     if (depthTexture != 0) {
-        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depthTexture, 0);
+        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_TEXTURE_2D, depthTexture, 0);
     }
     return framebuffer;
 }
@@ -122,6 +126,23 @@ Status RefinedPicture::takeFromSample(render::ProgramCache& programs, GLuint emp
     return Done{};
 }
 
+void RefinedPicture::clearForPatch(const PicturePatch& patch) const {
+    glBindFramebuffer(GL_FRAMEBUFFER, m_plain.id());
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDepthMask(GL_TRUE);
+    glStencilMask(1);
+    glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    glClearDepth(1.0);
+    glClearStencil(0);
+    render::limitDrawing(patch.area);
+    glClear(GL_STENCIL_BUFFER_BIT);
+    glClearStencil(1);
+    for (const PixelArea& part : patch.parts) {
+        render::limitDrawing(part);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+    }
+}
+
 void RefinedPicture::patched(const PicturePatch& patch, std::vector<std::uint64_t> moments) {
     m_rough = patch.isCoarse ? patch.area : PixelArea();
     m_roughParts = patch.isCoarse ? patch.parts : std::vector<PixelArea>();
@@ -180,7 +201,7 @@ void RefinedPicture::makePart(int part, const glm::ivec2& size) {
     switch (part) {
         case 0:
             m_colour = colours();
-            m_depths = makeTexture(GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, size.x, size.y);
+            m_depths = makeDepths(size.x, size.y);
             break;
         case 1:
             m_sum = makeTexture(GL_RGBA32F, GL_RGBA, GL_FLOAT, size.x, size.y);
@@ -195,8 +216,7 @@ void RefinedPicture::makePart(int part, const glm::ivec2& size) {
             break;
         }
         default:
-            m_sampleDepth =
-                makeTexture(GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, size.x, size.y);
+            m_sampleDepth = makeDepths(size.x, size.y);
             break;
     }
     glBindTexture(GL_TEXTURE_2D, 0);
@@ -204,10 +224,8 @@ void RefinedPicture::makePart(int part, const glm::ivec2& size) {
 
 bool RefinedPicture::makeFramebuffers() {
     m_plain = makeFramebuffer(m_colour.id(), m_depths.id());
-    m_sample = makeFramebuffer(m_sampleColour.id(), 0);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_TEXTURE_2D, m_sampleDepth.id(), 0);
-    m_adding = makeFramebuffer(m_sum.id(), 0);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_TEXTURE_2D, m_sampleDepth.id(), 0);
+    m_sample = makeFramebuffer(m_sampleColour.id(), m_sampleDepth.id());
+    m_adding = makeFramebuffer(m_sum.id(), m_sampleDepth.id());
     for (std::size_t i = 0; i < m_floor.size(); ++i) {
         m_drawnFloor[i] = makeFramebuffer(m_floor[i].id(), 0);
     }

@@ -76,6 +76,9 @@ public:
     [[nodiscard]] Status keepMean(render::ProgramCache& programs, GLuint emptyArray);
     /// Whether draw() would draw the plain picture: there are fewer samples, or it is their mean.
     [[nodiscard]] bool isPlainShown(int fewest) const { return m_samples < fewest || m_kept == m_samples; }
+    /// Marks these parts of it in the stencil buffer of plainFramebuffer(), where nothing is in front of what
+    /// is drawn from then on. Leaves framebuffer, scissor test and masks changed.
+    void clearForPatch(const PicturePatch& patch) const;
     /// These parts of what is in sampleFramebuffer() become the plain picture's. Leaves framebuffer,
     /// viewport, scissor and depth test changed.
     [[nodiscard]] Status takeFromSample(render::ProgramCache& programs, GLuint emptyArray,

@@ -84,15 +84,13 @@ Status Renderer::patch(const Frame& given, DeformationPipeline& pipeline, Refine
         context.window = windowAround(patch.area, context.frame);
         const MarkedTiles tiles = MarkedTiles::around(patch.parts);
         context.tiles = &tiles;
-        const DrawnPixels within{patch.area};
-        if (Status drawn = d->drawPicture(context, pipeline, picture.sampleFramebuffer(), &within); !drawn) {
+        picture.clearForPatch(patch);
+        const DrawnPixels within{.area = patch.area, .marked = true, .cleared = true};
+        if (Status drawn = d->drawPicture(context, pipeline, picture.plainFramebuffer(), &within); !drawn) {
             return drawn;
         }
         if (Status drawn = d->trails.draw(context); !drawn) {
             return drawn;
-        }
-        if (Status taken = picture.takeFromSample(d->programs, d->emptyArray.id(), patch.parts); !taken) {
-            return taken;
         }
     }
     picture.patched(patch, momentsOf(given));

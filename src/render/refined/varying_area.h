@@ -18,7 +18,8 @@ inline constexpr float kShadowTexels = 4.0f;
 /// Pixels of a framebuffer.
 struct DrawnPixels {
     PixelArea area;
-    bool marked = false;  ///< only those whose stencil value is 1
+    bool marked = false;   ///< only those whose stencil value is 1
+    bool cleared = false;  ///< the caller has cleared them
 };
 
 /// What is drawn from now on is drawn within.
