@@ -106,7 +106,7 @@ std::size_t drawBounded(const FrameContext& context, GLenum mode, std::span<cons
         }
         return all.indices;
     }
-    const bool isOne = range.end - range.first <= DrawPieces::kMost;
+    const bool isOne = std::min<std::size_t>(countOf(runs), range.end - range.first) <= DrawPieces::kMost;
     WaitForLastButOne wait;
     DrawPieces pieces(runs, range, order);
     std::size_t drawn = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -19,6 +20,18 @@ struct IndexRun {
 [[nodiscard]] inline std::size_t countOf(std::span<const IndexRun> runs) {
     return std::accumulate(runs.begin(), runs.end(), std::size_t{0},
                            [](std::size_t sum, const IndexRun& run) { return sum + (run.end - run.first); });
+}
+
+/// What of them is in the range.
+[[nodiscard]] inline std::vector<IndexRun> within(std::span<const IndexRun> runs, const IndexRun& range) {
+    std::vector<IndexRun> parts;
+    for (const IndexRun& run : runs) {
+        const IndexRun part{std::max(run.first, range.first), std::min(run.end, range.end)};
+        if (part.first < part.end) {
+            parts.push_back(part);
+        }
+    }
+    return parts;
 }
 
 /// Runs of an index buffer (32 bits an index), as glMultiDrawElements() takes them.

@@ -2,7 +2,6 @@
 #include "render/target_pass.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <compare>
 #include <glm/gtc/constants.hpp>
@@ -28,12 +27,14 @@ constexpr float kRimStrength = 0.75f;
 constexpr float kRingWidth = 1.8f;  // logical pixels
 constexpr float kHatch = 9.0f;      // logical pixels from one line to the next
 
-/// A software renderer shades pixels on other processors than it transforms vertices, but starts only when
-/// told to, or at the frame's end, and shares the picture out among them by place. So surfaces are drawn in
-/// this many rounds with a part of every target in each: pixels are shaded while vertices are transformed,
-/// and all over the picture.
-constexpr std::uint32_t kIndicesARound = 24576;
-constexpr std::uint32_t kMostRounds = 8;
+/// A software renderer draws what is nearer first, in as many groups: the pixels of what lies behind are then
+/// not shaded.
+constexpr std::size_t kGroups = 8;
+
+/// It shades pixels on other processors than it transforms vertices, but starts only when told to, or at the
+/// frame's end. So it is told after so many indices: pixels are shaded while vertices are transformed.
+constexpr std::size_t kIndicesARound = 24576;
+constexpr std::size_t kMostRounds = 8;
 
 const MaterialSet& materialsOf(const Frame& frame, const DrawItem& item) {
     static const MaterialSet defaults;
@@ -172,8 +173,7 @@ struct Draw {
     const DrawItem* item;
     DrawRange range;
     Parts parts;
-    std::optional<std::vector<IndexRun>> seen;       ///< of the range; nothing: all of it
-    std::array<std::uint32_t, kMostRounds> order{};  ///< in which its parts are drawn
+    std::vector<std::vector<IndexRun>> groups;  ///< what is seen of the range, in the order of drawing
 };
 
 /// From close by, much of a target lies beside the picture. A GPU draws it sooner than the CPU has found it.
@@ -209,6 +209,24 @@ ItemDraws drawsOf(const FrameContext& context, const DeformationPipeline& pipeli
     return seen && countOf(*seen) <= few ? ItemDraws{all, std::move(seen)} : ItemDraws{coarse, std::nullopt};
 }
 
+/// Of a range. seen: what can be seen of the item; nothing: that is not known yet.
+std::vector<std::vector<IndexRun>> groupsOf(const FrameContext& context, const DeformationPipeline& pipeline,
+                                            const DrawItem& item, const ClusterRuns& runs,
+                                            const DrawRange& range, bool translucent,
+                                            const std::optional<std::vector<IndexRun>>& seen) {
+    const IndexRun all{range.first, range.first + range.count};
+    std::vector<IndexRun> drawn{all};
+    if (auto found =
+            seen ? std::optional(within(*seen, all)) : seenOf(context, pipeline, item, runs, range)) {
+        drawn = std::move(*found);
+    }
+    if (!context.software || translucent) {
+        return {std::move(drawn)};
+    }
+    const glm::vec3 forward = glm::transpose(glm::mat3(item.model)) * context.forward;
+    return nearestFirst(drawn, runs, item.buffers->originalBounds(), forward, kGroups);
+}
+
 /// Those for one program are neighbours.
 std::vector<Draw> drawsOf(const FrameContext& context, const DeformationPipeline& pipeline,
                           bool translucent) {
@@ -229,7 +247,7 @@ std::vector<Draw> drawsOf(const FrameContext& context, const DeformationPipeline
             const DrawRange drawn = translucent ? range : context.part.of(range);
             if (drawn.count > 0 && parts.translucent == translucent) {
                 draws.push_back(
-                    {&item, drawn, parts, seen ? seen : seenOf(context, pipeline, item, runs, drawn)});
+                    {&item, drawn, parts, groupsOf(context, pipeline, item, runs, drawn, translucent, seen)});
             }
         }
     }
@@ -238,33 +256,21 @@ std::vector<Draw> drawsOf(const FrameContext& context, const DeformationPipeline
     return draws;
 }
 
-/// In a picture's part there are fewer: each round costs the whole picture's pixels a little.
-std::uint32_t roundsOf(std::span<const Draw> draws, std::uint32_t parts) {
-    std::uint64_t indices = 0;
+/// How many indices a round has. In a picture's part there are fewer rounds: each costs the whole picture's
+/// pixels a little.
+std::size_t roundOf(std::span<const Draw> draws, std::uint32_t parts) {
+    std::size_t indices = 0;
     for (const Draw& draw : draws) {
-        indices += draw.seen ? countOf(*draw.seen) : draw.range.count;
+        for (const std::vector<IndexRun>& group : draw.groups) {
+            indices += countOf(group);
+        }
     }
-    return static_cast<std::uint32_t>(
-        std::clamp<std::uint64_t>(indices / kIndicesARound, 1, parts > 1 ? 2 : kMostRounds));
-}
-
-/// What is nearer first: the pixels of what lies behind are then not shaded. By the clusters in the middle of
-/// each part, since triangles come in the order of their vertices.
-void sortParts(Draw& draw, std::uint32_t rounds, const glm::vec3& forward) {
-    const std::span<const Cluster> clusters = draw.item->buffers->clusters();
-    std::array<float, kMostRounds> depths{};
-    for (std::uint32_t part = 0; part < rounds; ++part) {
-        const std::size_t middle = clusters.size() * (2 * std::size_t{part} + 1) / (2 * std::size_t{rounds});
-        const glm::vec4 centre(clusters[middle].bounds.centre(), 1.0f);
-        depths[part] = glm::dot(glm::vec3(draw.item->model * centre), forward);
-        draw.order[part] = part;
-    }
-    std::stable_sort(draw.order.begin(), draw.order.begin() + rounds,
-                     [&depths](std::uint32_t a, std::uint32_t b) { return depths[a] < depths[b]; });
+    return std::max(kIndicesARound, indices / (parts > 1 ? 2 : kMostRounds));
 }
 
 /// draws: one at least, all for one program.
-Status drawWithOneProgram(const FrameContext& context, DeformationPipeline& pipeline, std::span<Draw> draws) {
+Status drawWithOneProgram(const FrameContext& context, DeformationPipeline& pipeline,
+                          std::span<const Draw> draws) {
     const Parts& parts = draws.front().parts;
     const auto found =
         context.programs.get("surface.vert", "surface.frag", surfaceDefines(context, pipeline, parts));
@@ -275,17 +281,13 @@ Status drawWithOneProgram(const FrameContext& context, DeformationPipeline& pipe
     const gl::Program& program = *found.value();
     program.use();
     setSurface(program, context);
-    const std::uint32_t rounds =
-        context.software && !parts.translucent ? roundsOf(draws, context.part.count) : 1;
     const DrawOrder order = parts.translucent ? DrawOrder::AsGiven : DrawOrder::Any;
-    for (Draw& draw : draws) {
-        sortParts(draw, rounds, context.forward);
-    }
-    for (std::uint32_t round = 0; round < rounds; ++round) {
+    const std::size_t round = roundOf(draws, context.part.count);
+    std::size_t drawn = 0;
+    for (std::size_t group = 0; group < kGroups; ++group) {
         const DrawItem* prepared = nullptr;
         for (const Draw& draw : draws) {
-            const DrawRange part = SurfacePart{draw.order[round], rounds}.of(draw.range);
-            if (part.count == 0) {
+            if (group >= draw.groups.size() || draw.groups[group].empty()) {
                 continue;
             }
             if (prepared != draw.item) {
@@ -293,16 +295,13 @@ Status drawWithOneProgram(const FrameContext& context, DeformationPipeline& pipe
                 prepared = draw.item;
             }
             materialsOf(context.frame, *draw.item)
-                .apply(program, part.material, parts.coloured, context.textureSampler);
-            const IndexRun range{part.first, part.first + part.count};
-            if (draw.seen) {
-                drawBounded(context, GL_TRIANGLES, *draw.seen, range, order);
-            } else {
-                drawBounded(context, GL_TRIANGLES, range, order);
+                .apply(program, draw.range.material, parts.coloured, context.textureSampler);
+            const std::vector<IndexRun>& runs = draw.groups[group];
+            drawn += drawBounded(context, GL_TRIANGLES, runs, {runs.front().first, runs.back().end}, order);
+            if (context.software && drawn >= round) {
+                glFlush();
+                drawn = 0;
             }
-        }
-        if (rounds > 1) {
-            glFlush();
         }
     }
     return Done{};

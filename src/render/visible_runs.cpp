@@ -11,6 +11,13 @@ namespace {
 
 constexpr std::uint32_t kGap = 48;  // indices: so many cost less than another run
 
+void add(std::vector<IndexRun>& runs, const IndexRun& more) {
+    if (runs.empty() || runs.back().end != more.first) {
+        runs.push_back(more);
+    }
+    runs.back().end = more.end;
+}
+
 }  // namespace
 
 Bounds boxOf(const ClusterBoxes& boxes, const ClusterRuns& runs, std::size_t index) {
@@ -77,6 +84,36 @@ std::optional<std::vector<IndexRun>> visibleRuns(const DrawItem& item, const Fra
         visible.back().end = more.end;
     }
     return visible;
+}
+
+std::vector<std::vector<IndexRun>> nearestFirst(std::span<const IndexRun> seen, const ClusterRuns& runs,
+                                                const Bounds& all, const glm::vec3& forward,
+                                                std::size_t groups) {
+    const std::span<const ClusterRuns::Run> clusters = runs.runs();
+    if (clusters.empty() || seen.empty()) {
+        return {{seen.begin(), seen.end()}};
+    }
+    std::vector<std::vector<IndexRun>> sorted(groups);
+    const float reach = 0.5f * glm::dot(all.size(), glm::abs(forward));
+    const float nearest = glm::dot(all.centre(), forward) - reach;
+    const float perMetre = reach > 0.0f ? static_cast<float>(groups) / (2.0f * reach) : 0.0f;
+    auto cluster =
+        std::partition_point(clusters.begin(), clusters.end(),
+                             [&seen](const ClusterRuns::Run& run) { return run.end <= seen.front().first; });
+    for (const IndexRun& run : seen) {
+        for (; cluster != clusters.end() && cluster->first < run.end; ++cluster) {
+            const IndexRun part{std::max(cluster->first, run.first), std::min(cluster->end, run.end)};
+            if (part.first < part.end) {
+                const float depth = (glm::dot(cluster->bounds.centre(), forward) - nearest) * perMetre;
+                const float last = static_cast<float>(groups) - 1.0f;
+                add(sorted[depth > 0.0f ? static_cast<std::size_t>(std::min(depth, last)) : 0], part);
+            }
+            if (cluster->end > run.end) {
+                break;  // the next run has more of it
+            }
+        }
+    }
+    return sorted;
 }
 
 std::optional<IndexRuns> visibleEdges(const DrawItem& item, const Frame& frame,

@@ -54,7 +54,16 @@ private:
                                                                const Sight& sight, const ClusterRuns& runs,
                                                                const IndexRun& range);
 
-/// The edges of a target likewise.
+/// The triangles of a target in groups by how far away the middles of their clusters' originals are, what is
+/// nearer first; some groups may be empty. Which group a triangle is in depends on nothing but the view.
+///
+/// seen: what is drawn of the index buffer, in order; of `runs`, whose clusters have their originals within
+/// `all`. forward: unit, along the view, in the target's local frame.
+[[nodiscard]] std::vector<std::vector<IndexRun>> nearestFirst(std::span<const IndexRun> seen,
+                                                              const ClusterRuns& runs, const Bounds& all,
+                                                              const glm::vec3& forward, std::size_t groups);
+
+/// Of the edges of a target, what visibleRuns() says of triangles.
 [[nodiscard]] std::optional<IndexRuns> visibleEdges(const DrawItem& item, const Frame& frame,
                                                     const DeformationPipeline& pipeline,
                                                     const glm::mat4& viewProjection,
