@@ -33,9 +33,12 @@ MeshStatisticsModel::MeshStatisticsModel(Session& session, QObject* parent)
         }
         ++m_sections.back().count;
     }
-    connect(&m_measuring, &MeshMeasuring::measured, this, &MeshStatisticsModel::announceValues);
+    m_soon.setSingleShot(true);
+    m_soon.setInterval(kSoon);
+    connect(&m_soon, &QTimer::timeout, this, &MeshStatisticsModel::announceValues);
+    connect(&m_measuring, &MeshMeasuring::measured, this, &MeshStatisticsModel::followMeasured);
     connect(&m_measuring, &MeshMeasuring::upToDateChanged, this, [this] {
-        announceValues();
+        announceSoon();
         Q_EMIT headerDataChanged(Qt::Horizontal, PropertyColumn, PropertyColumn);
     });
     connect(&session, &Session::sceneReplaced, this, &MeshStatisticsModel::follow);
@@ -71,10 +74,30 @@ void MeshStatisticsModel::follow() {
         m_target = id;
         Q_EMIT shownTargetChanged();
     }
-    announceValues();
+    if (m_measuring.measurement()) {
+        announceSoon();
+    } else {
+        announceValues();
+    }
+}
+
+void MeshStatisticsModel::announceSoon() {
+    if (!m_soon.isActive()) {
+        m_soon.start();
+    }
+}
+
+/// Numbers come at once where there were none, or where the old ones are marked already.
+void MeshStatisticsModel::followMeasured() {
+    const bool isBlank = !m_hasAnnounced || !m_measuring.measurement();
+    if (isBlank || !m_soon.isActive()) {
+        announceValues();
+    }
 }
 
 void MeshStatisticsModel::announceValues() {
+    m_soon.stop();
+    m_hasAnnounced = m_measuring.measurement() != nullptr;
     for (int section = 0; section < rowCount(); ++section) {
         const QModelIndex parent = index(section, 0);
         Q_EMIT dataChanged(index(0, OriginalColumn, parent),

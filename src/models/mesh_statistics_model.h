@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QAbstractItemModel>
+#include <QTimer>
 
 #include "analysis/mesh_measuring.h"
 #include "models/statistics_rows.h"
@@ -9,7 +10,9 @@
 namespace hitscope {
 
 /// What there is to know about the target in focus (focusTarget()), or about all together: original, deformed
-/// and the change, in sections. Follows the session; measured on another thread (MeshMeasuring).
+/// and the change, in sections. Follows the session; measured on another thread (MeshMeasuring). Views are
+/// told kSoon after numbers went out of date: painting all rows would hold up the picture of the hit that did
+/// it, and most are measured again by then. The header says so at once.
 class MeshStatisticsModel : public QAbstractItemModel {
     Q_OBJECT
 public:
@@ -19,6 +22,8 @@ public:
         SharedRole,                ///< bool: no hit changes this; both columns say the same
         OutOfDateRole,             ///< bool: a number that is being recalculated
     };
+
+    static constexpr int kSoon = 100;  ///< milliseconds
 
     /// `session` outlives the model.
     explicit MeshStatisticsModel(Session& session, QObject* parent = nullptr);
@@ -51,6 +56,8 @@ private:
     };
     void follow();
     void announceValues();
+    void announceSoon();
+    void followMeasured();
     [[nodiscard]] const StatisticsRow* rowAt(const QModelIndex& index) const;
     [[nodiscard]] QString cellText(const StatisticsRow& row, int column) const;
     [[nodiscard]] QString cellToolTip(const StatisticsRow& row, int column) const;
@@ -60,6 +67,8 @@ private:
     std::vector<Section> m_sections;
     TargetId m_target;
     bool m_showsAll = false;
+    QTimer m_soon;                ///< to announceValues()
+    bool m_hasAnnounced = false;  ///< numbers, of the targets that are shown
 };
 
 }  // namespace hitscope

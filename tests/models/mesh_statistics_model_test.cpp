@@ -60,6 +60,7 @@ class MeshStatisticsModelTest : public QObject {
 private Q_SLOTS:
     void describesTheOriginal();
     void followsHitsAndUndo();
+    void announcesNumbersOfAHitLater();
     void staysConsistentWhileHitsStreamIn();
     void followsTheTargetInFocus();
     void addsUpAllTargets();
@@ -126,6 +127,32 @@ void MeshStatisticsModelTest::followsHitsAndUndo() {
     QTRY_COMPARE_WITH_TIMEOUT(cell(model, "changed_vertices", Model::DeformedColumn), QStringLiteral("0"),
                               kPatience);
     QCOMPARE(value(model, "volume", Model::ChangeColumn), 0.0);
+}
+
+/// Nothing is painted while a hit's picture is drawn; what another target's numbers are is seen at once.
+void MeshStatisticsModelTest::announcesNumbersOfAHitLater() {
+    Session session;
+    loadMesh(session, makeHighPolyCube(2.5f));
+    Model model(session);
+    QTRY_VERIFY_WITH_TIMEOUT(model.measuring().measurement() && model.measuring().isUpToDate(), kPatience);
+    QTest::qWait(2 * Model::kSoon);  // what is to be announced of the beginning is
+
+    QSignalSpy announced(&model, &QAbstractItemModel::dataChanged);
+    QSignalSpy header(&model, &QAbstractItemModel::headerDataChanged);
+    QVERIFY(session.hits().add(hitOn(*session.targets().front())).ok());
+    applyOnCpu(session);
+    QCOMPARE(announced.count(), 0);
+    QVERIFY(header.count() > 0);
+    QVERIFY(model.find("volume", Model::DeformedColumn).data(Model::OutOfDateRole).toBool());
+    // The last that views are told is what there is.
+    QString told;
+    connect(&model, &QAbstractItemModel::dataChanged, this,
+            [&] { told = cell(model, "displacement_max", Model::DeformedColumn); });
+    QTRY_COMPARE_WITH_TIMEOUT(told, QStringLiteral("0.30000"), kPatience);
+
+    announced.clear();
+    loadMesh(session, makeHighPolyCube(1.5f));
+    QVERIFY(announced.count() > 0);
 }
 
 /// Live numbers end where a measurement from scratch does.
