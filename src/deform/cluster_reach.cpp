@@ -15,14 +15,14 @@
 namespace hitscope {
 namespace {
 
-constexpr std::size_t kMostMoved = 4096;  // boxes that are remembered
+constexpr std::size_t kMostMoved = 4096;  // boxes that are remembered; at least the last half of so many
 // One cluster in so many: where fewer changed, their boxes are put back one by one. New trees would copy each
 // page (PageCopy) again as the next hits change it, which takes longer than such a hit.
 constexpr std::size_t kFew = 8;
 
 /// A moment after all of any object so far.
 std::uint64_t newMoments() {
-    constexpr std::uint64_t kApart = std::uint64_t{1} << 32U;  // no object has as many between two calls
+    constexpr std::uint64_t kApart = std::uint64_t{1} << 36U;  // no object has as many between two calls
     static std::atomic<std::uint64_t> next{0};
     return next.fetch_add(kApart, std::memory_order_relaxed) + 1;
 }
@@ -111,7 +111,8 @@ void ClusterReach::noteMoved(const Bounds& place) {
         return;
     }
     if (m_moved.size() == kMostMoved) {
-        forgetMoved();
+        m_moved.erase(m_moved.begin(), m_moved.begin() + kMostMoved / 2);
+        m_movedFrom += kMostMoved / 2;
     }
     m_moved.push_back(box);
 }

@@ -56,6 +56,7 @@ private Q_SLOTS:
     void reachHoldsWhatMoves();
     void boxesHoldWhatIsMoved();
     void movedBoxesHoldBeforeAndAfter();
+    void whatMovedLastIsKnown();
     void editsChangeNothingElsewhere();
     void referenceEqualsThePlainLoop();
     void contributionIsWhatDeformAdds();
@@ -121,6 +122,36 @@ void DentFormHitsTest::movedBoxesHoldBeforeAndAfter() {
                     }));
         }
     }
+}
+
+/// However much has moved before.
+void DentFormHitsTest::whatMovedLastIsKnown() {
+    constexpr std::size_t kEnough = 2000;  // boxes
+    const RenderMesh mesh = buildRenderMesh(makeGeodesicSphere(12, 1.0f));
+    std::mt19937 random(7);
+    ClusterReach reach(mesh.clusters);
+    struct Step {
+        std::uint64_t moment;
+        std::size_t before;  // boxes
+    };
+    std::vector<Step> steps;
+    std::size_t boxes = 0;
+    while (boxes < 5 * kEnough) {
+        steps.push_back({reach.moment(), boxes});
+        std::vector<std::uint32_t> reached;
+        reach.advance(anyHit(random, steps.size()), reached);
+        const auto moved = reach.movedSince(steps.back().moment);
+        QVERIFY(moved.has_value());
+        boxes += moved->size();
+        for (const Step& step : steps) {
+            const std::size_t since = boxes - step.before;
+            if (since <= kEnough) {
+                QVERIFY(reach.movedSince(step.moment).has_value());
+                QCOMPARE(reach.movedSince(step.moment)->size(), since);
+            }
+        }
+    }
+    QVERIFY(!reach.movedSince(steps.front().moment));
 }
 
 /// Wherever in a history hits are taken out or put in.
