@@ -79,6 +79,13 @@ Parts partsOf(const Frame& frame, const DrawItem& item, std::uint32_t material) 
                         frame.options.look == SurfaceLook::File && !(pictures && materials.isCover())};
 }
 
+/// Whether any of its surfaces is translucent, or any is not.
+bool hasAny(const Frame& frame, const DrawItem& item, bool translucent) {
+    return std::ranges::any_of(item.buffers->draws(), [&](const DrawRange& range) {
+        return partsOf(frame, item, range.material).translucent == translucent;
+    });
+}
+
 /// Of a surface that is shaded.
 gl::Defines lightingDefines(const FrameContext& context) {
     const Frame& frame = context.frame;
@@ -214,10 +221,9 @@ std::vector<std::vector<IndexRun>> groupsOf(const FrameContext& context, const D
                                             const DrawItem& item, const ClusterRuns& runs,
                                             const DrawRange& range, bool translucent,
                                             const std::optional<std::vector<IndexRun>>& seen) {
-    const IndexRun all{range.first, range.first + range.count};
-    std::vector<IndexRun> drawn{all};
-    if (auto found =
-            seen ? std::optional(within(*seen, all)) : seenOf(context, pipeline, item, runs, range)) {
+    std::vector<IndexRun> drawn{{range.first, range.first + range.count}};
+    if (auto found = seen ? std::optional(within(*seen, drawn.front()))
+                          : seenOf(context, pipeline, item, runs, range)) {
         drawn = std::move(*found);
     }
     if (!context.software || translucent) {
@@ -232,7 +238,7 @@ std::vector<Draw> drawsOf(const FrameContext& context, const DeformationPipeline
                           bool translucent) {
     std::vector<Draw> draws;
     for (const DrawItem& item : context.frame.targets) {
-        if (!context.mayShow(item, pipeline)) {
+        if (!hasAny(context.frame, item, translucent) || !context.mayShow(item, pipeline)) {
             continue;
         }
         const auto [ranges, seen] = drawsOf(context, pipeline, item);
