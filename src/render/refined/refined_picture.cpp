@@ -130,7 +130,7 @@ void RefinedPicture::clearForPatch(const PicturePatch& patch) const {
     glBindFramebuffer(GL_FRAMEBUFFER, m_plain.id());
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDepthMask(GL_TRUE);
-    glStencilMask(1);
+    glStencilMask(0xFF);  // zink loses what is cleared through a mask of some bits
     glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
     glClearDepth(1.0);
     glClearStencil(0);
