@@ -42,12 +42,9 @@ void draw(GLenum mode, const IndexRuns& runs) {
 }
 
 IndexRuns allOf(std::span<const IndexRun> runs, const IndexRun& range) {
-    const auto isBefore = [&range](const IndexRun& run) { return run.end <= range.first; };
     IndexRuns all;
-    for (auto run = std::partition_point(runs.begin(), runs.end(), isBefore);
-         run != runs.end() && run->first < range.end; ++run) {
-        const std::uint32_t first = std::max(run->first, range.first);
-        all.add(first, std::min(run->end, range.end) - first);
+    for (const IndexRun& run : within(runs, range)) {
+        all.add(run.first, run.end - run.first);
     }
     return all;
 }

@@ -22,14 +22,13 @@ struct IndexRun {
                            [](std::size_t sum, const IndexRun& run) { return sum + (run.end - run.first); });
 }
 
-/// What of them is in the range.
+/// What of them, which are in order, is in the range.
 [[nodiscard]] inline std::vector<IndexRun> within(std::span<const IndexRun> runs, const IndexRun& range) {
+    const auto isBefore = [&range](const IndexRun& run) { return run.end <= range.first; };
     std::vector<IndexRun> parts;
-    for (const IndexRun& run : runs) {
-        const IndexRun part{std::max(run.first, range.first), std::min(run.end, range.end)};
-        if (part.first < part.end) {
-            parts.push_back(part);
-        }
+    for (auto run = std::partition_point(runs.begin(), runs.end(), isBefore);
+         run != runs.end() && run->first < range.end; ++run) {
+        parts.push_back({std::max(run->first, range.first), std::min(run->end, range.end)});
     }
     return parts;
 }
