@@ -7,9 +7,9 @@
 #include <optional>
 
 #include "gl/objects.h"
-#include "render/drawn_bounds.h"
 #include "render/program_cache.h"
 #include "render/renderer.h"
+#include "render/seen/drawn_bounds.h"
 #include "view/theme.h"
 
 namespace hitscope::render {

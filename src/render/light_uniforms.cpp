@@ -88,6 +88,7 @@ void setSight(const gl::Program& program, const Frame& frame) {
 
 gl::Defines lightDefines(const Lights& lights) {
     gl::Defines defines;
+    defines.reserve(4);
     if (lights.directional.on) {
         defines.emplace_back("HITSCOPE_DIRECTIONAL", "1");
     }

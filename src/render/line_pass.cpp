@@ -10,7 +10,7 @@
 #include "render/change_map.h"
 #include "render/cut_away.h"
 #include "render/early_start.h"
-#include "render/visible_runs.h"
+#include "render/seen/visible_runs.h"
 
 namespace hitscope::render {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "render/change_map.h"
 #include "render/cut_away.h"
-#include "render/drawn_bounds.h"
 #include "render/gl_state.h"
+#include "render/seen/drawn_bounds.h"
 
 namespace hitscope {
 

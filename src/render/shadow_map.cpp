@@ -12,10 +12,10 @@
 #include <utility>
 
 #include "deform/cluster_reach.h"
-#include "render/drawn_bounds.h"
 #include "render/refined/moved_area.h"
 #include "render/refined/varying_area.h"
-#include "render/seen_area.h"
+#include "render/seen/drawn_bounds.h"
+#include "render/seen/seen_area.h"
 #include "render/target_pass.h"
 
 namespace hitscope::render {

@@ -15,10 +15,10 @@
 #include "render/early_start.h"
 #include "render/line_pass.h"
 #include "render/material_set.h"
+#include "render/seen/visible_runs.h"
 #include "render/shadow_map.h"
 #include "render/studio.h"
 #include "render/surface_looks.h"
-#include "render/visible_runs.h"
 
 namespace hitscope::render {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "render/frame_context.h"
-#include "render/visible_runs.h"
+#include "render/seen/visible_runs.h"
 
 namespace hitscope::render {
 

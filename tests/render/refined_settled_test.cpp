@@ -10,7 +10,7 @@
 #include "gl/context.h"
 #include "refined_scene.h"
 #include "render/refined/marked_tiles.h"
-#include "render/visible_runs.h"
+#include "render/seen/visible_runs.h"
 #include "support/baseline.h"
 #include "support/test_program.h"
 

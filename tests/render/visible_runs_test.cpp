@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Edges and triangles beside the picture are passed over: fewer are drawn, and the picture stays the same.
-#include "render/visible_runs.h"
+#include "render/seen/visible_runs.h"
 
 #include <QTest>
 #include <cmath>

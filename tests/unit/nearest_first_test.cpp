@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "mesh/primitives.h"
-#include "render/visible_runs.h"
+#include "render/seen/visible_runs.h"
 #include "support/test_program.h"
 
 namespace hitscope::nearest_first_test {

@@ -8,9 +8,9 @@
 
 #include "render/refined/refined_picture.h"
 #include "render/refined/varying_area.h"
-#include "render/seen_area.h"
+#include "render/seen/seen_area.h"
+#include "render/seen/visible_runs.h"
 #include "render/shadow_map.h"
-#include "render/visible_runs.h"
 
 namespace hitscope::render {
 

@@ -10,7 +10,7 @@
 #include "pipeline/deformation_pipeline.h"
 #include "render/frame_context.h"
 #include "render/pixel_area.h"
-#include "render/visible_runs.h"
+#include "render/seen/visible_runs.h"
 
 namespace hitscope::render {
 

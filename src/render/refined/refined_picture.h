@@ -12,9 +12,9 @@
 #include "render/frame_context.h"
 #include "render/pixel_area.h"
 #include "render/program_cache.h"
-#include "render/refined/front_depths.h"
 #include "render/refined/marked_tiles.h"
 #include "render/refined/varying_area.h"
+#include "render/seen/front_depths.h"
 
 namespace hitscope {
 

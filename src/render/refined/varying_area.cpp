@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 #include <optional>
 
-#include "render/seen_area.h"
+#include "render/seen/seen_area.h"
 #include "render/shadow_map.h"
 
 namespace hitscope::render {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "render/drawn_bounds.h"
+#include "render/seen/drawn_bounds.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "render/seen_area.h"
+#include "render/seen/seen_area.h"
 
 #include <glm/common.hpp>
 

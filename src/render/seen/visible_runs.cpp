@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "render/visible_runs.h"
+#include "render/seen/visible_runs.h"
 
 #include <algorithm>
 
-#include "render/seen_area.h"
+#include "render/seen/seen_area.h"
 
 namespace hitscope::render {
 

@@ -4,10 +4,10 @@
 #include <optional>
 #include <vector>
 
-#include "render/drawn_bounds.h"
 #include "render/index_runs.h"
-#include "render/refined/front_depths.h"
 #include "render/refined/marked_tiles.h"
+#include "render/seen/drawn_bounds.h"
+#include "render/seen/front_depths.h"
 
 namespace hitscope::render {
 

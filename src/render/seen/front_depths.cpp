@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "render/refined/front_depths.h"
+#include "render/seen/front_depths.h"
 
 #include <algorithm>
 #include <cstddef>
