@@ -33,6 +33,17 @@ struct IndexRun {
     return parts;
 }
 
+/// What is in both.
+[[nodiscard]] inline std::vector<IndexRun> within(std::span<const IndexRun> runs,
+                                                  std::span<const IndexRun> ranges) {
+    std::vector<IndexRun> parts;
+    for (const IndexRun& range : ranges) {
+        const std::vector<IndexRun> more = within(runs, range);
+        parts.insert(parts.end(), more.begin(), more.end());
+    }
+    return parts;
+}
+
 /// Runs of an index buffer (32 bits an index), as glMultiDrawElements() takes them.
 struct IndexRuns {
     std::vector<int> counts;          ///< indices

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <compare>
 #include <glm/gtc/constants.hpp>
 #include <optional>
 #include <span>
@@ -15,6 +14,7 @@
 #include "render/early_start.h"
 #include "render/line_pass.h"
 #include "render/material_set.h"
+#include "render/seen/surface_draws.h"
 #include "render/seen/visible_runs.h"
 #include "render/shadow_map.h"
 #include "render/studio.h"
@@ -27,22 +27,10 @@ constexpr float kRimStrength = 0.75f;
 constexpr float kRingWidth = 1.8f;  // logical pixels
 constexpr float kHatch = 9.0f;      // logical pixels from one line to the next
 
-/// A software renderer draws what is nearer first, in as many groups: the pixels of what lies behind are then
-/// not shaded.
-constexpr std::size_t kGroups = 8;
-
 /// It shades pixels on other processors than it transforms vertices, but starts only when told to, or at the
 /// frame's end. So it is told after so many indices: pixels are shaded while vertices are transformed.
 constexpr std::size_t kIndicesARound = 24576;
 constexpr std::size_t kMostRounds = 8;
-
-const MaterialSet& materialsOf(const Frame& frame, const DrawItem& item) {
-    static const MaterialSet defaults;
-    if (const MaterialSet* look = materialOfLook(frame.options.look)) {
-        return *look;
-    }
-    return item.materials != nullptr ? *item.materials : defaults;
-}
 
 GLuint surfaceArrayOf(const DrawItem& item) {
     return item.original ? item.buffers->originalSurfaceArray() : item.buffers->surfaceArray();
@@ -52,38 +40,6 @@ bool hasMarks(const Frame& frame) {
     return frame.highlightedHit.has_value() ||
            std::any_of(frame.targets.begin(), frame.targets.end(),
                        [](const DrawItem& item) { return item.selected; });
-}
-
-/// What a program has to have. What has least is drawn first.
-struct Parts {
-    bool translucent = false;
-    bool textured = false;
-    bool normalMapped = false;
-    bool metalRough = false;
-    bool metalRoughMapped = false;
-    bool coloured = false;
-
-    auto operator<=>(const Parts&) const = default;
-};
-
-Parts partsOf(const Frame& frame, const DrawItem& item, std::uint32_t material) {
-    const MaterialSet& materials = materialsOf(frame, item);
-    const bool shaded = !frame.change;
-    const bool pictures = shaded && frame.options.textures;
-    return {.translucent = materials.isTranslucent(material),
-            .textured = pictures && materials.isTextured(material),
-            .normalMapped = pictures && !frame.options.flat && materials.hasNormalMap(material),
-            .metalRough = shaded && materials.hasMetalRoughness(material),
-            .metalRoughMapped = pictures && materials.hasMetalRoughnessMap(material),
-            .coloured = shaded && frame.options.vertexColours && item.buffers->hasColours() &&
-                        frame.options.look == SurfaceLook::File && !(pictures && materials.isCover())};
-}
-
-/// Whether any of its surfaces is translucent, or any is not.
-bool hasAny(const Frame& frame, const DrawItem& item, bool translucent) {
-    return std::ranges::any_of(item.buffers->draws(), [&](const DrawRange& range) {
-        return partsOf(frame, item, range.material).translucent == translucent;
-    });
 }
 
 /// Of a surface that is shaded.
@@ -102,7 +58,7 @@ gl::Defines lightingDefines(const FrameContext& context) {
 
 /// A program has what a frame needs and no more: see lighting.glsl.
 gl::Defines surfaceDefines(const FrameContext& context, const DeformationPipeline& pipeline,
-                           const Parts& parts) {
+                           const SurfaceParts& parts) {
     const Frame& frame = context.frame;
     gl::Defines defines = targetDefines(frame, pipeline);
     addSight(defines, frame);
@@ -176,108 +132,16 @@ void prepareSurface(const gl::Program& program, const FrameContext& context, Def
     glBindVertexArray(surfaceArrayOf(item));
 }
 
-struct Draw {
-    const DrawItem* item;
-    DrawRange range;
-    Parts parts;
-    std::vector<std::vector<IndexRun>> groups;  ///< what is seen of the range, in the order of drawing
-};
-
-/// From close by, much of a target lies beside the picture. A GPU draws it sooner than the CPU has found it.
-/// runs: the item's, of all triangles or of the coarse ones.
-std::optional<std::vector<IndexRun>> seenOf(const FrameContext& context, const DeformationPipeline& pipeline,
-                                            const DrawItem& item, const ClusterRuns& runs,
-                                            const DrawRange& range) {
-    if (!context.software) {
-        return std::nullopt;
-    }
-    Sight sight(context.viewProjection * item.model, context.window.value_or(PictureWindow{}));
-    const glm::ivec2 picture(context.frame.width, context.frame.height);
-    sight.limitTo({context.tiles, picture});
-    sight.hideBehind(context.front, picture);
-    return visibleRuns(item, context.frame, pipeline, sight, runs, {range.first, range.first + range.count});
-}
-
-struct ItemDraws {
-    std::span<const DrawRange> draws;
-    std::optional<std::vector<IndexRun>> seen;  ///< nothing: all of them, or each finds its own
-};
-
-/// Where a coarse picture shows little of a target, all of that has no more triangles than the coarse shape.
-ItemDraws drawsOf(const FrameContext& context, const DeformationPipeline& pipeline, const DrawItem& item) {
-    const std::span<const DrawRange> coarse = hitscope::drawsOf(item, context.frame.coarse);
-    const std::span<const DrawRange> all = item.buffers->draws();
-    if (coarse.data() == all.data()) {
-        return {all, std::nullopt};
-    }
-    auto seen = seenOf(context, pipeline, item, item.buffers->triangleRuns(),
-                       {0, item.buffers->triangleIndexCount()});
-    const std::size_t few = item.buffers->coarseIndexCount();
-    return seen && countOf(*seen) <= few ? ItemDraws{all, std::move(seen)} : ItemDraws{coarse, std::nullopt};
-}
-
-/// Of a range. seen: what can be seen of the item; nothing: that is not known yet.
-std::vector<std::vector<IndexRun>> groupsOf(const FrameContext& context, const DeformationPipeline& pipeline,
-                                            const DrawItem& item, const ClusterRuns& runs,
-                                            const DrawRange& range, bool translucent,
-                                            const std::optional<std::vector<IndexRun>>& seen) {
-    std::vector<IndexRun> drawn{{range.first, range.first + range.count}};
-    if (auto found = seen ? std::optional(within(*seen, drawn.front()))
-                          : seenOf(context, pipeline, item, runs, range)) {
-        drawn = std::move(*found);
-    }
-    if (!context.software || translucent) {
-        return {std::move(drawn)};
-    }
-    const glm::vec3 forward = glm::transpose(glm::mat3(item.model)) * context.forward;
-    return nearestFirst(drawn, runs, item.buffers->originalBounds(), forward, kGroups);
-}
-
-/// Those for one program are neighbours.
-std::vector<Draw> drawsOf(const FrameContext& context, const DeformationPipeline& pipeline,
-                          bool translucent) {
-    std::vector<Draw> draws;
-    for (const DrawItem& item : context.frame.targets) {
-        if (!hasAny(context.frame, item, translucent) || !context.mayShow(item, pipeline)) {
-            continue;
-        }
-        const auto [ranges, seen] = drawsOf(context, pipeline, item);
-        const bool isCoarse = ranges.data() != item.buffers->draws().data();
-        const ClusterRuns& runs = isCoarse ? item.buffers->coarseRuns() : item.buffers->triangleRuns();
-        if (isCoarse && context.drewCoarse != nullptr) {
-            *context.drewCoarse = true;
-        }
-        for (const DrawRange& range : ranges) {
-            const Parts parts = partsOf(context.frame, item, range.material);
-            // Translucent ones come when all others are there.
-            const DrawRange drawn = translucent ? range : context.part.of(range);
-            if (drawn.count > 0 && parts.translucent == translucent) {
-                draws.push_back(
-                    {&item, drawn, parts, groupsOf(context, pipeline, item, runs, drawn, translucent, seen)});
-            }
-        }
-    }
-    std::stable_sort(draws.begin(), draws.end(),
-                     [](const Draw& a, const Draw& b) { return a.parts < b.parts; });
-    return draws;
-}
-
 /// How many indices a round has. In a picture's part there are fewer rounds: each costs the whole picture's
 /// pixels a little.
-std::size_t roundOf(std::span<const Draw> draws, std::uint32_t parts) {
-    std::size_t indices = 0;
-    for (const Draw& draw : draws) {
-        for (const std::vector<IndexRun>& group : draw.groups) {
-            indices += countOf(group);
-        }
-    }
-    return std::max(kIndicesARound, indices / (parts > 1 ? 2 : kMostRounds));
+std::size_t roundOf(std::span<const SurfaceDraw> draws, std::uint32_t parts) {
+    return std::max(kIndicesARound, indicesFrom(draws, 0) / (parts > 1 ? 2 : kMostRounds));
 }
 
 /// draws: one at least, all for one program.
 Status drawWithOneProgram(const FrameContext& context, DeformationPipeline& pipeline,
-                          std::span<const Draw> draws) {
-    const Parts& parts = draws.front().parts;
+                          std::span<SurfaceDraw> draws) {
+    const SurfaceParts& parts = draws.front().parts;
     const auto found =
         context.programs.get("surface.vert", "surface.frag", surfaceDefines(context, pipeline, parts));
     if (!found) {
@@ -290,9 +154,12 @@ Status drawWithOneProgram(const FrameContext& context, DeformationPipeline& pipe
     const DrawOrder order = parts.translucent ? DrawOrder::AsGiven : DrawOrder::Any;
     const std::size_t round = roundOf(draws, context.part.count);
     std::size_t drawn = 0;
-    for (std::size_t group = 0; group < kGroups; ++group) {
+    for (std::size_t group = 0; group < kSurfaceGroups; ++group) {
+        if (group == kSurfaceGroups / 2) {
+            leaveOutHidden(context, pipeline, draws, group);
+        }
         const DrawItem* prepared = nullptr;
-        for (const Draw& draw : draws) {
+        for (const SurfaceDraw& draw : draws) {
             if (group >= draw.groups.size() || draw.groups[group].empty()) {
                 continue;
             }
@@ -314,10 +181,11 @@ Status drawWithOneProgram(const FrameContext& context, DeformationPipeline& pipe
 }
 
 Status drawAllParts(const FrameContext& context, DeformationPipeline& pipeline, bool translucent) {
-    std::vector<Draw> draws = drawsOf(context, pipeline, translucent);
+    std::vector<SurfaceDraw> draws = surfaceDraws(context, pipeline, translucent);
     for (auto first = draws.begin(); first != draws.end();) {
-        const auto last = std::find_if(
-            first, draws.end(), [parts = first->parts](const Draw& draw) { return draw.parts != parts; });
+        const auto last = std::find_if(first, draws.end(), [parts = first->parts](const SurfaceDraw& draw) {
+            return draw.parts != parts;
+        });
         if (Status status = drawWithOneProgram(context, pipeline, std::span(first, last)); !status) {
             return status;
         }

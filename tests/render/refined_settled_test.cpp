@@ -240,7 +240,7 @@ void RefinedSettledTest::hidesWhatIsBehindAllPixels() {
     constexpr int kRows = 21;
     std::vector<float> depths(kColumns * kRows, 0.25f);
     depths[kColumns * 12 + 17] = 0.75f;
-    const render::FrontDepths front(kColumns, kRows, depths);
+    const render::FrontDepths front({0, 0, kColumns, kRows}, depths);
     QVERIFY(front.hide({0, 0, 8, 8}, 0.5f));
     QVERIFY(!front.hide({0, 0, 8, 8}, 0.25f));
     QVERIFY(!front.hide({0, 0, 8, 8}, 0.2f));

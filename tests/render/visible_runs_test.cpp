@@ -11,6 +11,7 @@
 #include "open_renderer.h"
 #include "render/original_shape.h"
 #include "render_support.h"
+#include "secretive_pipeline.h"
 #include "support/baseline.h"
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
@@ -20,32 +21,6 @@ namespace hitscope::visible_runs_test {
 using namespace test;
 
 namespace {
-
-/// The same pipeline, but it keeps to itself where it draws.
-class Secretive final : public DeformationPipeline {
-public:
-    explicit Secretive(DeformationPipeline& pipeline) : m_pipeline(pipeline) {}
-    [[nodiscard]] const PipelineTraits& traits() const override { return m_pipeline.traits(); }
-    [[nodiscard]] CapacityReport capacity() const override { return m_pipeline.capacity(); }
-    void addTarget(TargetId target, TargetBuffers& buffers) override {
-        m_pipeline.addTarget(target, buffers);
-    }
-    void removeTarget(TargetId target) override { m_pipeline.removeTarget(target); }
-    void readBack(const ReadBackSink& sink) override { m_pipeline.readBack(sink); }
-    void pollReadBack(const ReadBackSink& sink) override { m_pipeline.pollReadBack(sink); }
-    [[nodiscard]] bool isReadBackPending() const override { return m_pipeline.isReadBackPending(); }
-    [[nodiscard]] const ClusterReach* reach(TargetId) const override { return nullptr; }
-    [[nodiscard]] gl::Defines drawDefines() const override { return m_pipeline.drawDefines(); }
-    void prepareDraw(const gl::Program& program, TargetId target) override {
-        m_pipeline.prepareDraw(program, target);
-    }
-
-private:
-    void startOver(std::span<const Hit>) override {}
-    void follow(const HistoryEdit&) override {}
-
-    DeformationPipeline& m_pipeline;
-};
 
 constexpr float kRadius = 2.5f;
 

@@ -132,6 +132,11 @@ public:
     [[nodiscard]] std::size_t trianglesAPart() const { return m_trianglesAPart; }
     /// The part that is drawn next of what is drawn in parts.
     [[nodiscard]] std::uint32_t nextPart() const { return m_nextPart; }
+    /// What the next part may be hidden by, of what was drawn into the framebuffer before; null: nothing. It
+    /// is looked at once, when half of the parts are there. Leaves the framebuffer changed.
+    [[nodiscard]] const render::FrontDepths* frontOfParts(const render::FrameContext& context,
+                                                          GLuint framebuffer,
+                                                          const render::DrawnPixels* within);
     /// Of so many; all have as many, wherever triangles are meanwhile.
     [[nodiscard]] std::uint32_t parts() const { return m_parts; }
     void setNextPart(std::uint32_t part, std::uint32_t of) {
@@ -186,6 +191,7 @@ private:
     bool m_areMarksDue = false;                  ///< m_unsettled is
     std::optional<render::FrontDepths> m_front;  ///< where pixels settle
     std::optional<render::MarkedTiles> m_unsettled;
+    std::optional<render::FrontDepths> m_frontOfParts;
     std::uint32_t m_nextPart = 0;
     std::uint32_t m_parts = 1;
     gl::Texture m_colour;  ///< of the plain picture

@@ -20,6 +20,9 @@ namespace {
 /// pixels are shaded while the next one's vertices are transformed.
 constexpr std::size_t kMostAhead = 1;
 
+/// Of fewer, the last ones are drawn sooner than what hides them is known.
+constexpr std::uint32_t kFewestParts = 4;
+
 /// The way that the light travels from a place (unit disc) on it.
 glm::vec3 placeOnLight(const glm::vec3& given, const glm::vec2& place) {
     const float length = glm::length(given);
@@ -115,6 +118,9 @@ std::uint32_t partsOf(const FrameContext& context, const DeformationPipeline& pi
 Status Renderer::Private::drawPart(FrameContext& context, DeformationPipeline& pipeline,
                                    RefinedPicture& picture, GLuint framebuffer, const DrawnPixels* within) {
     context.part.index = picture.nextPart();
+    if (software && context.front == nullptr && context.part.count >= kFewestParts) {
+        context.front = picture.frontOfParts(context, framebuffer, within);
+    }
     if (Status status = drawPicture(context, pipeline, framebuffer, within); !status) {
         return status;
     }

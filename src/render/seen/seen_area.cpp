@@ -7,7 +7,6 @@ namespace hitscope::render {
 
 namespace {
 
-constexpr int kMargin = 2;                // pixels: half of one for the samples' own offsets
 constexpr float kLeastClipWidth = 1e-6f;  // of what is in front of the eye
 
 }  // namespace
@@ -32,15 +31,15 @@ bool SeenArea::add(const Bounds& box) {
     return true;
 }
 
-PixelArea SeenArea::in(const glm::ivec2& picture) const {
+PixelArea SeenArea::in(const glm::ivec2& picture, int margin) const {
     if (m_bounds.empty()) {
         return {};
     }
     const glm::vec2 size(picture);
     const glm::vec2 low = glm::clamp(0.5f * (glm::vec2(m_bounds.min) + 1.0f), 0.0f, 1.0f) * size;
     const glm::vec2 high = glm::clamp(0.5f * (glm::vec2(m_bounds.max) + 1.0f), 0.0f, 1.0f) * size;
-    const glm::ivec2 first = glm::max(glm::ivec2(glm::floor(low)) - kMargin, glm::ivec2(0));
-    const glm::ivec2 last = glm::min(glm::ivec2(glm::ceil(high)) + kMargin, picture);
+    const glm::ivec2 first = glm::max(glm::ivec2(glm::floor(low)) - margin, glm::ivec2(0));
+    const glm::ivec2 last = glm::min(glm::ivec2(glm::ceil(high)) + margin, picture);
     return {first.x, first.y, last.x - first.x, last.y - first.y};
 }
 

@@ -9,6 +9,9 @@ namespace hitscope::render {
 
 namespace {
 
+/// What is worked out here and by the renderer may differ by so much.
+constexpr float kDepthStep = 4.0f / (1 << 24);
+
 constexpr std::uint32_t kGap = 48;  // indices: so many cost less than another run
 
 void add(std::vector<IndexRun>& runs, const IndexRun& more) {
@@ -55,9 +58,9 @@ bool Sight::mayShow(const Bounds& box) const {
     if (!seen.add(box)) {
         return true;
     }
-    const PixelArea area = seen.in(m_picture);
-    return (m_tiles == nullptr || m_tiles->any(area)) &&
-           (m_front == nullptr || !m_front->hide(area, seen.nearest()));
+    return (m_tiles == nullptr || m_tiles->any(seen.in(m_picture))) &&
+           (m_front == nullptr ||
+            !m_front->hide(seen.in(m_picture, m_front->off()), seen.nearest() - kDepthStep));
 }
 
 std::optional<std::vector<IndexRun>> visibleRuns(const DrawItem& item, const Frame& frame,
@@ -89,30 +92,18 @@ std::optional<std::vector<IndexRun>> visibleRuns(const DrawItem& item, const Fra
 std::vector<std::vector<IndexRun>> nearestFirst(std::span<const IndexRun> seen, const ClusterRuns& runs,
                                                 const Bounds& all, const glm::vec3& forward,
                                                 std::size_t groups) {
-    const std::span<const ClusterRuns::Run> clusters = runs.runs();
-    if (clusters.empty() || seen.empty()) {
+    if (runs.runs().empty() || seen.empty()) {
         return {{seen.begin(), seen.end()}};
     }
     std::vector<std::vector<IndexRun>> sorted(groups);
     const float reach = 0.5f * glm::dot(all.size(), glm::abs(forward));
     const float nearest = glm::dot(all.centre(), forward) - reach;
     const float perMetre = reach > 0.0f ? static_cast<float>(groups) / (2.0f * reach) : 0.0f;
-    auto cluster =
-        std::partition_point(clusters.begin(), clusters.end(),
-                             [&seen](const ClusterRuns::Run& run) { return run.end <= seen.front().first; });
-    for (const IndexRun& run : seen) {
-        for (; cluster != clusters.end() && cluster->first < run.end; ++cluster) {
-            const IndexRun part{std::max(cluster->first, run.first), std::min(cluster->end, run.end)};
-            if (part.first < part.end) {
-                const float depth = (glm::dot(cluster->bounds.centre(), forward) - nearest) * perMetre;
-                const float last = static_cast<float>(groups) - 1.0f;
-                add(sorted[depth > 0.0f ? static_cast<std::size_t>(std::min(depth, last)) : 0], part);
-            }
-            if (cluster->end > run.end) {
-                break;  // the next run has more of it
-            }
-        }
-    }
+    const float last = static_cast<float>(groups) - 1.0f;
+    forEachPart(seen, runs, [&](const ClusterRuns::Run& run, const IndexRun& part) {
+        const float depth = (glm::dot(run.bounds.centre(), forward) - nearest) * perMetre;
+        add(sorted[depth > 0.0f ? static_cast<std::size_t>(std::min(depth, last)) : 0], part);
+    });
     return sorted;
 }
 

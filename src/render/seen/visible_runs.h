@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "render/index_runs.h"
@@ -53,6 +55,29 @@ private:
                                                                const DeformationPipeline& pipeline,
                                                                const Sight& sight, const ClusterRuns& runs,
                                                                const IndexRun& range);
+
+/// Calls use(cluster's run, what of it is in `seen`) for all of these, in order. seen: of the index buffer,
+/// in order.
+template <typename Use>
+void forEachPart(std::span<const IndexRun> seen, const ClusterRuns& runs, const Use& use) {
+    const std::span<const ClusterRuns::Run> clusters = runs.runs();
+    if (seen.empty()) {
+        return;
+    }
+    auto cluster = std::ranges::partition_point(
+        clusters, [&seen](const ClusterRuns::Run& run) { return run.end <= seen.front().first; });
+    for (const IndexRun& run : seen) {
+        for (; cluster != clusters.end() && cluster->first < run.end; ++cluster) {
+            const IndexRun part{std::max(cluster->first, run.first), std::min(cluster->end, run.end)};
+            if (part.first < part.end) {
+                use(*cluster, part);
+            }
+            if (cluster->end > run.end) {
+                break;  // the next run has more of it
+            }
+        }
+    }
+}
 
 /// The triangles of a target in groups by how far away the middles of their clusters' originals are, what is
 /// nearer first; some groups may be empty. Which group a triangle is in depends on nothing but the view.
