@@ -105,6 +105,12 @@ bool belongsToNumber(const QKeyEvent& event) {
            (text[0].isDigit() || QStringLiteral("+-.,").contains(text[0]));
 }
 
+/// What a text would take.
+bool isWritten(const QKeyEvent& event) {
+    const QString text = event.text();
+    return isPlain(event) && text.size() == 1 && text[0].isPrint();
+}
+
 /// Of a list.
 bool goesToEnd(const QKeyEvent& event) {
     return (event.key() == Qt::Key_Home || event.key() == Qt::Key_End) && isPlain(event);
@@ -139,7 +145,7 @@ KeyRouting::KeyRouting(QMainWindow& window, QWidget& picture)
 bool KeyRouting::eventFilter(QObject* watched, QEvent* event) {
     const QEvent::Type type = event->type();
     const bool isKey = type == QEvent::ShortcutOverride || type == QEvent::KeyPress;
-    if ((!isKey && type != QEvent::FocusIn) || !watched->isWidgetType()) {
+    if ((!isKey && type != QEvent::FocusIn && type != QEvent::MouseButtonPress) || !watched->isWidgetType()) {
         return false;
     }
     auto& widget = static_cast<QWidget&>(*watched);
@@ -161,8 +167,15 @@ bool KeyRouting::eventFilter(QObject* watched, QEvent* event) {
     if (type == QEvent::KeyPress) {
         return press(widget, static_cast<QKeyEvent&>(*event));
     }
-    if (const QAbstractSpinBox* box = spinBoxOf(widget)) {
-        setTyped(*box, false);  // what was typed before is in force
+    if (QAbstractSpinBox* box = spinBoxOf(widget)) {
+        if (type == QEvent::FocusIn) {
+            setTyped(*box, false);  // what was typed before is in force
+            const Qt::FocusReason reason = static_cast<const QFocusEvent&>(*event).reason();
+            const bool isByKey = reason == Qt::TabFocusReason || reason == Qt::BacktabFocusReason;
+            m_edited = isByKey ? box : nullptr;
+        } else if (&widget != box) {
+            m_edited = box;  // not its buttons
+        }
     }
     return false;
 }
@@ -190,7 +203,7 @@ bool KeyRouting::isInPanel(const QWidget& widget) const {
 
 bool KeyRouting::override(QWidget& widget, QKeyEvent& event) const {
     if (const QAbstractSpinBox* box = spinBoxOf(widget)) {
-        if (isTyping(*box) || belongsToNumber(event)) {
+        if (isTyping(*box) || belongsToNumber(event) || (box == m_edited && isWritten(event))) {
             return false;
         }
         event.ignore();
@@ -239,8 +252,12 @@ bool KeyRouting::pressInSpinBox(QAbstractSpinBox& box, QKeyEvent& event) {
         QCoreApplication::sendEvent(&box, &point);
         return true;
     }
+    if (event.matches(QKeySequence::SelectAll)) {
+        m_edited = &box;
+    }
     const bool isSpace = event.key() == Qt::Key_Space && isPlain(event);
-    if (isTyping(box) || !(isSpace || isEscape(event) || fliesCamera(event))) {
+    const bool isRefused = &box == m_edited && isWritten(event);
+    if (isTyping(box) || isRefused || !(isSpace || isEscape(event) || fliesCamera(event))) {
         return false;
     }
     handOver(event);

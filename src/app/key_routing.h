@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QAbstractSpinBox>
 #include <QObject>
+#include <QPointer>
 
-class QAbstractSpinBox;
 class QKeyEvent;
 class QMainWindow;
 class QWidget;
@@ -12,8 +13,9 @@ namespace hitscope {
 
 /// Lets the window's keys work wherever the focus is, unless text is being edited. In docks and tool bars: a
 /// spin box that has the focus takes only what belongs to a number, and all keys once something has been
-/// typed into it; Return ends that and gives the focus back to the picture, Escape drops what was typed.
-/// Escape and the keys that fly reach the picture from everywhere.
+/// typed into it; where the cursor was put into its text (mouse, Tab, select all), it takes all that can be
+/// written, even if it refuses it. Return ends that and gives the focus back to the picture, Escape drops
+/// what was typed. Escape and the keys that fly reach the picture from everywhere.
 class KeyRouting : public QObject {
     Q_OBJECT
 public:
@@ -34,6 +36,7 @@ private:
 
     QMainWindow& m_window;
     QWidget& m_picture;
+    QPointer<QAbstractSpinBox> m_edited;  ///< whose text the cursor was put into
 };
 
 }  // namespace hitscope

@@ -91,6 +91,40 @@ private Q_SLOTS:
         QTest::keyRelease(&viewport(), Qt::Key_W);
     }
 
+    void whatATextRefusesIsNoCommand_data() {
+        QTest::addColumn<int>("way");
+        QTest::newRow("mouse") << 0;
+        QTest::newRow("select all") << 1;
+        QTest::newRow("tab") << 2;
+    }
+    void whatATextRefusesIsNoCommand() {
+        QFETCH(int, way);
+        QAbstractSpinBox* box = focusedBox(QStringLiteral("scene"), QStringLiteral("positionX"));
+        QVERIFY(box != nullptr);
+        auto* editor = box->findChild<QLineEdit*>();
+        if (way == 0) {
+            QTest::mouseClick(editor, Qt::LeftButton, {}, QPoint(6, editor->height() / 2));
+        } else if (way == 1) {
+            QTest::keyClick(box, Qt::Key_A, Qt::ControlModifier);
+        } else {
+            viewport().setFocus();
+            box->setFocus(Qt::TabFocusReason);
+        }
+        QVERIFY(box->hasFocus());
+        const QString text = editor->text();
+        const glm::vec3 eye = viewport().camera().eye();
+        const WireframeMode wireframe = viewport().options().wireframe;
+        for (const Qt::Key key : {Qt::Key_L, Qt::Key_W, Qt::Key_Space, Qt::Key_I}) {
+            QTest::keyClick(box, key);
+        }
+        QCOMPARE(editor->text(), text);
+        QCOMPARE(viewport().options().wireframe, wireframe);
+        QCOMPARE(viewport().inspectTool().tool(), Tool::Shoot);
+        QVERIFY(viewport().camera().eye() == eye);
+        QVERIFY(box->hasFocus());
+        QCOMPARE(m_session->simulation().physics().projectileCount(), std::size_t{0});
+    }
+
     void escapeDropsWhatWasTyped() {
         auto* box =
             qobject_cast<QDoubleSpinBox*>(focusedBox(QStringLiteral("lights"), QStringLiteral("positionX")));
