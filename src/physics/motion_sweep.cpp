@@ -11,10 +11,10 @@
 namespace hitscope::physics {
 namespace {
 
+/// What comes from below passes it, as a line does.
 std::optional<double> castAtFloor(double floor, double from, double motion, double radius) {
     const double height = from - floor - radius;
-    const bool isBelow = height + 2.0 * radius < 0.0;
-    if (isBelow || motion >= 0.0 || height + motion > 0.0) {
+    if (from < floor || motion >= 0.0 || height + motion > 0.0) {
         return std::nullopt;
     }
     return std::max(0.0, height / -motion);

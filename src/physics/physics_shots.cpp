@@ -72,7 +72,10 @@ ProjectileId PhysicsWorld::shoot(const glm::vec3& origin, const glm::vec3& direc
     // Half a step less, so that rounding never adds one; it lives for a step at least.
     flight.end = d->clock.time() +
                  std::max(0.5 * d->clock.step(), static_cast<double>(shot.lifetime) - 0.5 * d->clock.step());
-    d->world.addRigidBody(flight.body.get());
+    flight.isUnderFloor = d->floor && origin.y < d->floorShape->getPlaneConstant();
+    d->world.addRigidBody(
+        flight.body.get(), btBroadphaseProxy::DefaultFilter,
+        flight.isUnderFloor ? btBroadphaseProxy::AllFilter & ~kFloorGroup : btBroadphaseProxy::AllFilter);
     flight.body->setGravity(toBullet(fallOf(shot)));  // the world has just set its own
     Flight& kept = d->flights.emplace(id, std::move(flight)).first->second;
     kept.body->setUserPointer(&kept.ahead);

@@ -243,6 +243,14 @@ void PhysicsWorld::Private::collect(ProjectileId id, Flight& flight, std::span<c
     flight.touching = std::move(touching);
 }
 
+/// From above the floor carries it.
+void PhysicsWorld::Private::comeUp(Flight& flight) const {
+    if (flight.isUnderFloor && (!floor || flight.position.y >= floorShape->getPlaneConstant())) {
+        flight.isUnderFloor = false;
+        flight.body->getBroadphaseProxy()->m_collisionFilterMask = btBroadphaseProxy::AllFilter;
+    }
+}
+
 void PhysicsWorld::Private::followDynamicTargets() {
     for (auto& [id, target] : targets) {
         if (target.physics.isDynamic) {
@@ -326,6 +334,7 @@ void PhysicsWorld::Private::endStep() {
         }
         collect(id, flight, {first, next});
         flight.position = fromBullet(flight.body->getWorldTransform().getOrigin());
+        comeUp(flight);
     }
     followDynamicTargets();
     removeSpentFlights();

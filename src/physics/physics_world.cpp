@@ -289,7 +289,7 @@ void PhysicsWorld::setFloor(float y) {
     d->floor->setRestitution(kRestitution);
     d->floor->setFriction(kFriction);
     d->floor->setRollingFriction(kRollingFriction);
-    d->world.addRigidBody(d->floor.get());
+    d->world.addRigidBody(d->floor.get(), kFloorGroup, btBroadphaseProxy::DefaultFilter);
     d->wakeAll();
 }
 

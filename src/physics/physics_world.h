@@ -87,7 +87,8 @@ public:
     /// What is asked is answered from what is hit again; gives back the memory of the other.
     void answerFromWhatIsHit(TargetId target);
     [[nodiscard]] std::vector<TargetPose> dynamicTargets() const;
-    /// An endless horizontal floor at height y metres; projectiles rest on it, it takes no hits.
+    /// An endless horizontal floor at height y metres; projectiles rest on it, it takes no hits. Those that
+    /// are shot from below pass it.
     void setFloor(float y);
     void removeFloor();
 

@@ -28,6 +28,9 @@ inline glm::vec3 fallOf(const ProjectileSettings& shot) {
 inline float sizeOf(const ProjectileSettings& shot) {
     return shot.radius / ProjectileSettings().radius;
 }
+/// Bullet's group of the floor alone: what comes from below does not meet it.
+inline constexpr int kFloorGroup = 1 << 6;
+
 inline constexpr float kRestitution = 0.6f;  // of projectiles and the floor; Bullet multiplies the two
 inline constexpr float kFriction = 0.6f;
 inline constexpr float kRollingFriction = 0.05f;  // metres: without it a sphere on a plane rolls for ever
@@ -64,6 +67,7 @@ struct Flight {
     double end = 0.0;                ///< simulated time when it disappears
     bool hasHit = false;             ///< it has made a hit
     bool hasLanded = false;          ///< it has struck the floor
+    bool isUnderFloor = false;       ///< it has not come up yet
     TargetId lastStruck;             ///< 0: none
     std::vector<TargetId> touching;  ///< after the last step; sorted
     glm::vec3 velocity{0.0f};        ///< just before any impact of this step, m/s
@@ -122,6 +126,7 @@ struct PhysicsWorld::Private {
     void takeBack(physics::Flight& flight, TargetId target, physics::Touch& touch) const;
     void settleStrike(physics::Flight& flight, std::map<TargetId, physics::Touch>& touches);
     void strike(ProjectileId id, physics::Flight& flight, TargetId target, const physics::Touch& touch);
+    void comeUp(physics::Flight& flight) const;
     void followDynamicTargets();
     void removeSpentFlights();
     void keepTrails();

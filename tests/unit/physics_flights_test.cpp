@@ -28,6 +28,7 @@ private Q_SLOTS:
     void bounceStaysBetweenTwoWalls();
     void bouncesCountOnlyWhenAsked();
     void restingProjectileDoesNotHitAgain();
+    void comesThroughTheFloorFromBelow();
     void sameCallsGiveTheSameImpacts();
 };
 
@@ -148,6 +149,33 @@ void PhysicsFlightsTest::restingProjectileDoesNotHitAgain() {
     QVERIFY(early >= 1 && early < 8);
     QVERIFY(run(world, 10).empty());
     QVERIFY(std::abs(world.projectiles().front().position.y - 0.1f) < 0.01f);
+}
+
+/// Where it is shot from below, as the aim shows it; then the floor carries it.
+void PhysicsFlightsTest::comesThroughTheFloorFromBelow() {
+    for (const float speed : {12.0f, 30.0f, 300.0f}) {
+        PhysicsWorld world;
+        world.setFloor(0.0f);
+        RigidTransform where;
+        where.position = {0, 3, 0};
+        place(world, kTarget, where, SphereCollider{2});
+        const ProjectileSettings settings = withSpeed(speed);
+        const auto foreseen = world.predict({0.2f, -3, 0}, {0, 1, 0}, settings, false);
+        QVERIFY(foreseen.has_value());
+        world.shoot({0.2f, -3, 0}, {0, 1, 0}, settings);
+        const auto impacts = run(world, 1.0);
+        QVERIFY2(!impacts.empty(), qPrintable(QString::number(static_cast<double>(speed))));
+        QVERIFY(glm::distance(impacts.front().point, foreseen->point) < 1e-3f);
+    }
+    PhysicsWorld world;
+    world.setFloor(0.0f);
+    ProjectileSettings settings = withSpeed(12.0f);
+    settings.lifetime = 60.0f;
+    world.shoot({0, -3, 0}, {0, 1, 0}, settings);
+    (void)run(world, 1.0);
+    QVERIFY(world.projectiles().front().position.y > 1.0f);
+    (void)run(world, 20.0);
+    QVERIFY(std::abs(world.projectiles().front().position.y - settings.radius) < 0.01f);
 }
 
 void PhysicsFlightsTest::sameCallsGiveTheSameImpacts() {
