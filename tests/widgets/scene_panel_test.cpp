@@ -195,6 +195,9 @@ void ScenePanelTest::primitiveIsAskedFor() {
     actions[static_cast<qsizetype>(PrimitiveKind::Torus)]->trigger();
     QCOMPARE(name, QStringLiteral("Torus"));
     QCOMPARE(plan.shape.mesh->vertexCount(), std::size_t{1200});
+    actions[actions.size() - 2]->trigger();
+    QCOMPARE(name, QStringLiteral("Utah teapot"));
+    QCOMPARE(plan.source, TargetSource(BuiltInMesh::Teapot));  // or a session could not make it again
     actions.last()->trigger();
     QCOMPARE(files.count(), 1);
 }

@@ -7,7 +7,6 @@
 #include <QMenu>
 #include <algorithm>
 
-#include "mesh/teapot.h"
 #include "models/quantity_text.h"
 #include "panels/fields/context_menu.h"
 #include "panels/fields/select_only.h"
@@ -17,6 +16,7 @@
 #include "panels/scene/physics_fields.h"
 #include "panels/scene/scene_delegate.h"
 #include "panels/scene/transform_fields.h"
+#include "session/primitive_target.h"
 #include "session/shown_number.h"
 #include "ui_scene.h"
 
@@ -24,8 +24,7 @@ namespace hitscope {
 
 namespace {
 
-constexpr int kCellPadding = 14;      // pixels
-constexpr int kTeapotDivisions = 32;  // a patch: fine enough that a dent shows its rim
+constexpr int kCellPadding = 14;  // pixels
 
 QString withKey(const QString& text, const QKeySequence& key) {
     return QStringLiteral("%1 (%2)").arg(text, key.toString(QKeySequence::NativeText));
@@ -91,7 +90,11 @@ void ScenePanel::makeAddMenu() {
     }
     m_addMenu->addSeparator();
     m_addMenu->addAction(tr("Utah Teapot"), this, [this] {
-        Q_EMIT targetWanted(tr("Utah teapot"), [] { return planMesh(makeTeapot(kTeapotDivisions)); });
+        Q_EMIT targetWanted(tr("Utah teapot"), [] {
+            TargetPlan plan = planBuiltIn(BuiltInMesh::Teapot);
+            plan.name = tr("Utah teapot");
+            return plan;
+        });
     });
     m_addMenu->addAction(tr("From File…"), this, &ScenePanel::filesWanted);
     m_ui->add->setMenu(m_addMenu);
