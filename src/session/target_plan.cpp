@@ -146,12 +146,12 @@ float floorUnder(const Bounds& target) {
 
 void bringNear(TargetPlan& plan, const Bounds& scene, float floor) {
     const Bounds bounds = worldBounds(*plan.shape.render, plan.transform);
-    if (bounds.empty() ||
-        glm::distance(bounds.centre(), scene.centre()) < bounds.diagonal() + scene.diagonal()) {
+    if (bounds.empty()) {
         return;
     }
-    const glm::vec3 way = scene.centre() - bounds.centre();
-    plan.transform.position += glm::vec3(way.x, floor - bounds.min.y, way.z);
+    const bool isFar = glm::distance(bounds.centre(), scene.centre()) >= bounds.diagonal() + scene.diagonal();
+    const glm::vec3 way = isFar ? scene.centre() - bounds.centre() : glm::vec3(0.0f);
+    plan.transform.position += glm::vec3(way.x, floor - floorUnder(bounds), way.z);
 }
 
 void makeRoom(std::vector<TargetPlan>& plans, std::vector<Bounds> taken, std::optional<float> floor) {

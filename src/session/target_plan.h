@@ -53,8 +53,8 @@ struct ScenePlan {
 /// shots into them.
 [[nodiscard]] float floorUnder(const Bounds& target);
 
-/// Puts a plan where the scene is (world, not empty) and on its floor, at that height (metres), if it is
-/// farther from the scene than both are large together: a shape of our own has no place that matters.
+/// Puts a plan on the scene's floor, at that height (metres), and where the scene is (world, not empty) if it
+/// is farther from that than both are large together: a shape of our own has no place that matters.
 void bringNear(TargetPlan& plan, const Bounds& scene, float floor);
 
 /// Moves each plan along x past what it would overlap, the ones before it and `taken` (world), leaving a gap;

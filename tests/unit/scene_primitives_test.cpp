@@ -136,6 +136,17 @@ private Q_SLOTS:
         QCOMPARE(session.targets().back()->transform.position.x, 0.0f);
     }
 
+    /// Wherever that is.
+    void shapesStandOnTheFloor() {
+        Session session;
+        TargetPlan spider = planMesh(makeCube(2, 30.0f), QStringLiteral("/spider.obj"));
+        session.loadScene({QStringLiteral("Spider"), {spider}});
+        const float floor = session.targets().floorHeight();
+        QVERIFY(floor < -29.0f);
+        session.targets().add({planPrimitive({PrimitiveKind::UvSphere, 16, 5.0f})});
+        QVERIFY(std::abs(session.targets().back()->worldBounds().min.y - floor) < 1.0e-3f);
+    }
+
     /// No face is smeared over the whole picture where the globe's first meridian meets its last.
     void seamIsStitched() {
         for (const int frequency : {2, 7, 16}) {
