@@ -25,6 +25,7 @@ private Q_SLOTS:
     void moved_data();
     void moved();
     void eachMaterialMovesItsOwn();
+    void materialsShareVertices();
     void mixedOnesAreNoted();
 
 private:
@@ -114,6 +115,34 @@ void GltfTexturesTest::eachMaterialMovesItsOwn() {
     QCOMPARE(mesh.faceCount(), std::size_t{2});
     QCOMPARE(mesh.texcoords[mesh.cornerTexcoords[0]].x, 7.0f);
     QCOMPARE(mesh.texcoords[mesh.cornerTexcoords[3]].x, 0.0f);
+}
+
+/// As many exporters write them: each material has some faces of one list of vertices.
+void GltfTexturesTest::materialsShareVertices() {
+    GltfFile file;
+    std::string corners;
+    for (const auto& [x, y] : {std::pair{0, 0}, std::pair{1, 0}, std::pair{0, 1}, std::pair{1, 1}}) {
+        put(corners, static_cast<float>(x), static_cast<float>(y), 0.0f);
+    }
+    file.attributes[QStringLiteral("POSITION")] = file.accessor(
+        file.view(corners), kFloatNumbers, "VEC3", 4,
+        {{QStringLiteral("min"), QJsonArray{0, 0, 0}}, {QStringLiteral("max"), QJsonArray{1, 1, 0}}});
+    std::string first;
+    put(first, std::uint16_t{0}, std::uint16_t{1}, std::uint16_t{2}, std::uint16_t{0});
+    std::string second;
+    put(second, std::uint16_t{1}, std::uint16_t{3}, std::uint16_t{2}, std::uint16_t{0});
+    file.accessor(file.view(first), kUnsignedShort, "SCALAR", 3);
+    file.accessor(file.view(second), kUnsignedShort, "SCALAR", 3);
+    file.more = materials(R"({"materials": [{}, {}], "meshes": [{"primitives": [
+        {"attributes": {"POSITION": 0}, "indices": 1, "material": 0},
+        {"attributes": {"POSITION": 0}, "indices": 2, "material": 1}]}]})");
+    const Result<ImportedMesh> imported = read(file);
+    QVERIFY2(imported.ok(), qPrintable(messageOf(imported)));
+    const MeshData& mesh = imported.value().mesh;
+    QCOMPARE(mesh.positions.size(), std::size_t{4});
+    QCOMPARE(mesh.faceCount(), std::size_t{2});
+    QCOMPARE(mesh.faceMaterials, (std::vector<std::uint32_t>{0, 1}));
+    QCOMPARE(mesh.cornerVertices, (std::vector<std::uint32_t>{0, 1, 2, 1, 3, 2}));
 }
 
 void GltfTexturesTest::mixedOnesAreNoted() {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <optional>
@@ -36,6 +37,35 @@ bool isPlacement(const glm::dmat4& m) {
 bool hasFaces(const aiMesh& mesh) {
     return mesh.HasPositions() && std::any_of(mesh.mFaces, mesh.mFaces + mesh.mNumFaces,
                                               [](const aiFace& face) { return face.mNumIndices > 2; });
+}
+
+bool usesAll(const aiMesh& mesh) {
+    std::vector<bool> isUsed(mesh.mNumVertices, false);
+    unsigned used = 0;
+    for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+        for (unsigned i = 0; i < mesh.mFaces[f].mNumIndices; ++i) {
+            const unsigned vertex = mesh.mFaces[f].mIndices[i];
+            if (vertex < mesh.mNumVertices && !isUsed[vertex]) {
+                isUsed[vertex] = true;
+                ++used;
+            }
+        }
+    }
+    return used == mesh.mNumVertices;
+}
+
+bool areAlike(const aiVector3D* a, const aiVector3D* b, unsigned count) {
+    return (a == nullptr) == (b == nullptr) &&
+           (a == nullptr || std::memcmp(a, b, count * sizeof(aiVector3D)) == 0);
+}
+
+/// Materials of one mesh that has all vertices in one list: Assimp gives each material a copy of it. Two
+/// shells at the same place use all of theirs.
+bool shareVertices(const aiMesh& a, const aiMesh& b) {
+    const unsigned count = a.mNumVertices;
+    return count == b.mNumVertices && a.mNumAnimMeshes == 0 && b.mNumAnimMeshes == 0 &&
+           areAlike(a.mVertices, b.mVertices, count) && areAlike(a.mNormals, b.mNormals, count) &&
+           areAlike(a.mTextureCoords[0], b.mTextureCoords[0], count) && (!usesAll(a) || !usesAll(b));
 }
 
 }  // namespace
@@ -127,7 +157,12 @@ Status SceneMerger::addInstance(const aiMesh& mesh, const glm::dmat4& transform)
     if (!mesh.HasPositions()) {
         return Done{};
     }
-    addVertices(mesh, transform);
+    if (m_before == nullptr || !shareVertices(*m_before, mesh)) {
+        addVertices(mesh, transform);
+    } else {
+        addColours(mesh);
+    }
+    m_before = &mesh;
     const bool mirrored = glm::determinant(glm::dmat3(transform)) < 0.0;
     return addFaces(mesh, mirrored);
 }
@@ -150,6 +185,7 @@ Status SceneMerger::merge() {
                 "node \"" + std::string(visit.node->mName.C_Str()) + "\"",
                 "Write the file again with the program it came from."};
         }
+        m_before = nullptr;
         std::optional<std::string> group;  // which its meshes of several materials share
         for (unsigned i = 0; i < visit.node->mNumMeshes; ++i) {
             const unsigned index = visit.node->mMeshes[i];

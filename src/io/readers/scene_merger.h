@@ -49,6 +49,7 @@ private:
     SceneMerging m_how;
     bool m_hasMorphed = false;
     Welder<> m_welder;
+    const aiMesh* m_before = nullptr;       ///< of the same node, whose vertices m_vertexOf has; null: none
     std::vector<std::uint32_t> m_vertexOf;  ///< of the mesh being added: its vertex -> ours
     std::size_t m_texcoordBase = 0;
     std::size_t m_normalBase = 0;
