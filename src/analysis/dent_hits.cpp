@@ -32,9 +32,27 @@ void DentHits::follow(const std::shared_ptr<const RenderMesh>& mesh, std::span<c
     static_cast<void>(m_effects->follow({&edit, 1}, m_hits, stop));
 }
 
-std::optional<std::uint32_t> DentHits::deepestOf(std::size_t hit) const {
+std::optional<std::uint32_t> DentHits::deepestOf(std::size_t hit, std::span<const std::uint32_t> triangles,
+                                                 std::span<const glm::vec3> before,
+                                                 std::span<const glm::vec3> after) const {
+    std::vector<bool> isCorner(before.size(), false);
+    for (const std::uint32_t vertex : triangles) {
+        isCorner[vertex] = true;
+    }
     const HitEffect& effect = m_effects->effects()[hit];
-    return effect.affected > 0 ? std::optional(effect.deepest) : std::nullopt;
+    if (effect.affected > 0 && isCorner[effect.deepest]) {
+        return effect.deepest;
+    }
+    std::optional<std::uint32_t> deepest;
+    float most = 0.0f;
+    for (const std::uint32_t vertex : m_effects->movedBy(hit, m_hits)) {
+        const float moved = glm::distance(before[vertex], after[vertex]);
+        if (isCorner[vertex] && moved > most) {
+            most = moved;
+            deepest = vertex;
+        }
+    }
+    return deepest;
 }
 
 std::vector<std::size_t> DentHits::madeBy(std::span<const std::uint32_t> vertices, const Bounds& box) const {

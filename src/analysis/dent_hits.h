@@ -17,8 +17,12 @@ class DentHits {
 public:
     /// `hits`: those applied to the mesh, in order.
     void follow(const std::shared_ptr<const RenderMesh>& mesh, std::span<const Hit> hits);
-    /// The file vertex that a hit moved farthest; nothing: it moved none.
-    [[nodiscard]] std::optional<std::uint32_t> deepestOf(std::size_t hit) const;
+    /// The corner of a triangle (three file vertices each) that a hit moved farthest; nothing: it moved none.
+    /// If it moved another vertex farther, by where all hits together left them.
+    [[nodiscard]] std::optional<std::uint32_t> deepestOf(std::size_t hit,
+                                                         std::span<const std::uint32_t> triangles,
+                                                         std::span<const glm::vec3> before,
+                                                         std::span<const glm::vec3> after) const;
     /// Those that moved some of `vertices` (of the file, ascending), ascending. `box` holds where these were
     /// and are.
     [[nodiscard]] std::vector<std::size_t> madeBy(std::span<const std::uint32_t> vertices,

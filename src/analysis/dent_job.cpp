@@ -42,7 +42,7 @@ void DentJob::measure(const std::stop_token& stop) {
     const std::span<const glm::vec3> after = part.copy->after().positions();
     const bool isApplied = m_hit < m_rows.size() && m_rows[m_hit] == row;
     const std::optional<std::uint32_t> seed =
-        vertex || !isApplied ? vertex : part.copy->hits().deepestOf(m_hit);
+        vertex || !isApplied ? vertex : part.copy->hits().deepestOf(m_hit, mesh.triangles(), before, after);
     const std::vector<std::uint32_t> whole =
         seed ? dentAround(*seed, mesh.triangles(), before, after, mesh.sewn()) : std::vector<std::uint32_t>();
     const std::vector<std::uint32_t> own = whole.empty() ? whole : nameHits(whole, stop);
@@ -51,7 +51,7 @@ void DentJob::measure(const std::stop_token& stop) {
     if (!report.dent) {
         report.why = vertex ? DentMeasurement::tr("No hit has moved the picked vertex.")
                      : seed ? DentMeasurement::tr("The selected hit's dent is not there any more.")
-                            : DentMeasurement::tr("The selected hit has moved no vertex.");
+                            : DentMeasurement::tr("The selected hit has moved no vertex of a face.");
         return;
     }
     const glm::vec3 deepest = before[report.dent->deepest];

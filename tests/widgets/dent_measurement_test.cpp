@@ -75,6 +75,24 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(report().after.front().size() != lines, kPatience);
     }
 
+    /// It is where the shot struck, and no face has it.
+    void aLooseVertexIsNotTheDent() {
+        MeshData mesh = makeSheet(100, 100, 4.0f, 4.0f);
+        const glm::vec3 beside = mesh.positions[50 * 101 + 50] + glm::vec3(0.013f, 0.011f, 0.0f);
+        mesh.positions.push_back(beside);
+        loadMesh(*m_session, mesh);
+        Hit hit;
+        hit.target = m_session->targets().front()->id;
+        hit.point = beside;
+        hit.direction = {0.0f, 0.0f, -1.0f};
+        hit.constants.maxMagnitude = 10.0f;  // so that the nearest vertex is moved farthest
+        QVERIFY(m_session->hits().add(hit).ok());
+        applyHits(*m_session);
+        m_session->hits().select(0);
+        QTRY_VERIFY_WITH_TIMEOUT(report().dent.has_value(), kPatience);
+        QVERIFY(report().dent->deepest < mesh.positions.size() - 1);
+    }
+
     void thePickedVertexIsMeasured() {
         const TargetId target = m_session->targets().front()->id;
         m_session->selection().setPicked(VertexRef{target, 0});
