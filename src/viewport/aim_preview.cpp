@@ -155,7 +155,7 @@ void AimPreview::show() {
     }
     m_viewport.decorations().setGhost(std::move(ghost));
     const std::size_t count = preview.affectedVertices;
-    QString text = tr("%Ln {vertex|vertices}, %1 m deep", nullptr, trCount(count))
+    QString text = tr("Next shot: %Ln {vertex|vertices}, %1 m deep", nullptr, trCount(count))
                        .arg(depthText(static_cast<double>(preview.depth)));
     if (hit->constants.maxMagnitude <= 0.0f) {
         text += tr("\nThe max magnitude is 0: a hit moves nothing");
