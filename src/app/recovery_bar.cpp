@@ -190,18 +190,26 @@ void RecoveryBar::recover() {
         return;
     }
     hide();
-    m_files.openDocument(found->read->document, fileOf(*found),
-                         [self = QPointer(this), found](bool isOpened) {
-                             if (self) {
-                                 self->takeEnded(found, isOpened);
-                             }
-                         });
+    m_files.openDocument(
+        found->read->document,
+        {.file = fileOf(*found),
+         .noteInPart = tr("This is a part of the session. All of it is still kept: the next start offers it "
+                          "again."),
+         .ended = [self = QPointer(this), found](SessionFiles::Ended how) {
+             if (self) {
+                 self->takeEnded(found, how);
+             }
+         }});
 }
 
-/// The journal stays until the session is kept in another; where it was not opened it is offered again.
-void RecoveryBar::takeEnded(const std::shared_ptr<Found>& found, bool isOpened) {
-    if (isOpened) {
+/// The journal stays until the session is kept in another; where it was not opened it is offered again. What
+/// was left out is in no other: the next start may find the meshes.
+void RecoveryBar::takeEnded(const std::shared_ptr<Found>& found, SessionFiles::Ended how) {
+    if (how == SessionFiles::Ended::Whole) {
         m_recovered.push_back(found);
+        look();
+    } else if (how == SessionFiles::Ended::InPart) {
+        m_passedOver << found->journal.path();
         look();
     } else if (!m_found) {
         m_found = found;

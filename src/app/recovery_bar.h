@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "app/session_files.h"
 #include "core/result.h"
 
 class QLabel;
@@ -12,7 +13,6 @@ class QLabel;
 namespace hitscope {
 
 class DiscardGuard;
-class SessionFiles;
 
 /// A bar that offers what a window left behind that did not end in order: to go on with it, or to discard it
 /// for good. Hidden where there is none. Several are offered one after the other, newest first.
@@ -41,7 +41,7 @@ private:
     void postpone();
     void recover();
     void askToDiscard();
-    void takeEnded(const std::shared_ptr<Found>& found, bool isOpened);
+    void takeEnded(const std::shared_ptr<Found>& found, SessionFiles::Ended how);
     void discard();
 
     SessionFiles& m_files;

@@ -105,7 +105,7 @@ void SessionFiles::end() {
     const std::shared_ptr<Work> work = std::exchange(m_work, nullptr);
     m_progress.reset();
     if (work && work->ended) {
-        std::exchange(work->ended, nullptr)(false);
+        std::exchange(work->ended, nullptr)(Ended::NotOpened);
     }
 }
 
@@ -169,12 +169,12 @@ void SessionFiles::open(const QString& path) {
     prepare();
 }
 
-void SessionFiles::openDocument(SessionDocument document, const QString& file,
-                                std::function<void(bool)> ended) {
+void SessionFiles::openDocument(SessionDocument document, Origin origin) {
     beginOpening(document.scene.name);
-    m_work->ended = std::move(ended);
-    m_work->path = file;
-    m_work->stamp = stampOf(file);
+    m_work->ended = std::move(origin.ended);
+    m_work->noteInPart = origin.noteInPart;
+    m_work->path = origin.file;
+    m_work->stamp = stampOf(origin.file);
     m_work->document = std::move(document);
     m_work->isRead = true;
     m_work->isRecovered = true;
@@ -257,20 +257,20 @@ void SessionFiles::goOn() {
         return;
     }
     // What was done meanwhile may be worth keeping; while that is asked, it may have to be saved.
-    const std::function<void(bool)> ended = std::exchange(work->ended, {});
+    const std::function<void(Ended)> ended = std::exchange(work->ended, {});
     end();
     work->ended = ended;
     m_ask([this, work] { replaceBy(work); },
           [this, work] {
               if (work->ended) {
-                  work->ended(false);
+                  work->ended(Ended::NotOpened);
               }
               Q_EMIT cancelled();
           });
 }
 
 void SessionFiles::replaceBy(const std::shared_ptr<Work>& work) {
-    const std::function<void(bool)> ended = std::exchange(work->ended, {});
+    const std::function<void(Ended)> ended = std::exchange(work->ended, {});
     cancel();  // what was begun while the question was open
     leaveSaving();
     restoreSession(m_session, work->prepared);
@@ -284,6 +284,9 @@ void SessionFiles::replaceBy(const std::shared_ptr<Work>& work) {
     m_file.stamp = work->stamp;
     m_wasModified = isModified();
     QStringList notes = work->prepared.notes;
+    if (!isWhole && !work->noteInPart.isEmpty()) {
+        notes.prepend(work->noteInPart);  // not all of them may be shown
+    }
     for (const MeshTrouble& trouble : work->prepared.troubles) {
         // Without its advice: the person has chosen.
         notes << QString::fromStdString(Error{trouble.error.what, trouble.error.where, {}}.message());
@@ -292,7 +295,7 @@ void SessionFiles::replaceBy(const std::shared_ptr<Work>& work) {
     Q_EMIT changed();
     Q_EMIT opened(work->isRecovered ? QString() : m_file.path, notes);
     if (ended) {
-        ended(true);
+        ended(isWhole ? Ended::Whole : Ended::InPart);
     }
 }
 

@@ -53,11 +53,14 @@ public:
     /// Replaces the session by the file's; ends with opened(), failed() or cancelled(), of which the last two
     /// leave the session as it is. Where meshes are missing or changed, troubled() asks on the way.
     void open(const QString& path);
-    /// Likewise by a document that is in no file: what was recovered. Counts as modified. `file`: that it was
-    /// in before, and is saved to; empty: none. `ended` is called once, with whether it was opened; not where
-    /// this goes before.
-    void openDocument(SessionDocument document, const QString& file,
-                      std::function<void(bool isOpened)> ended = {});
+    enum class Ended : std::uint8_t { NotOpened, InPart, Whole };  ///< InPart: without what is missing
+    struct Origin {
+        QString file = {};                      ///< that it was in before, and is saved to; empty: none
+        QString noteInPart = {};                ///< among the notes where it is opened in part
+        std::function<void(Ended)> ended = {};  ///< called once; not where this goes before
+    };
+    /// Likewise by a document that is in no file: what was recovered. Counts as modified.
+    void openDocument(SessionDocument document, Origin origin);
     /// Gives up what is being opened; what is being saved stays wanted.
     void cancel();
 

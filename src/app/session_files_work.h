@@ -24,7 +24,8 @@ struct SessionFiles::Work {
     bool isSave = false;
     std::uint64_t scene = 0;                 ///< SessionUndo::scene() that is written
     std::uint64_t state = 0;                 ///< SessionUndo::state() that is written, or is to be replaced
-    std::function<void(bool)> ended = {};    ///< openDocument()'s
+    std::function<void(Ended)> ended = {};   ///< openDocument()'s
+    QString noteInPart;                      ///< likewise
     std::vector<CopiedPositions> positions;  ///< that are written
     bool isGivenUp = false;                  ///< what is saved; by the other thread, last
     MeshPlaces places;

@@ -8,10 +8,14 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "app/notice_bar.h"
 #include "app/recovery_bar.h"
+#include "app/scene_files.h"
 #include "app/session_files.h"
+#include "app/window/journal_keeping.h"
 #include "document/journal_files.h"
 #include "document/session_journal.h"
+#include "session/sample_scenes.h"
 #include "session/shots/demo_shots.h"
 #include "support/test_program.h"
 #include "window_support.h"
@@ -140,6 +144,52 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(
             !QDir(journalFolder()).entryList({QStringLiteral("*.damaged")}, QDir::Files).isEmpty(),
             kPatience);
+    }
+
+    /// It is the only copy of what is on them.
+    void theJournalOfMissingMeshesIsOfferedAgain() {
+        openMesh();
+        shoot(5, 1);
+        const std::size_t before = hits();
+        QVERIFY(before > 0);
+        crash();
+        const QStringList left = journals();
+        QCOMPARE(left.size(), 1);
+        QVERIFY(QFile::rename(path("cube.obj"), path("away.obj")));
+        const QSignalSpy kept(m_window->findChild<JournalKeeping*>(), &JournalKeeping::recoveredKept);
+        clickRecover();
+        const auto question = [this] {
+            return m_window->findChild<QMessageBox*>(QStringLiteral("meshTroubles"));
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(question() != nullptr && question()->isVisible(), kPatience);
+        for (QAbstractButton* button : question()->buttons()) {
+            if (question()->buttonRole(button) == QMessageBox::AcceptRole) {
+                button->click();
+                break;
+            }
+        }
+        QTRY_COMPARE_WITH_TIMEOUT(kept.size(), 1, kPatience);
+        QCOMPARE(hits(), std::size_t{0});
+        QVERIFY(journals().contains(left[0]));
+        QVERIFY(!isOffered());
+        const QString told = m_window->findChild<NoticeBar*>()->text();
+        QVERIFY2(told.contains(QStringLiteral("cube.obj")) && told.contains(QStringLiteral("next start")),
+                 qPrintable(told));
+        m_window->offerRecovery();  // not in this window again
+        QTest::qWait(100);
+        QVERIFY(!isOffered());
+
+        QVERIFY(QFile::rename(path("away.obj"), path("cube.obj")));
+        m_window.reset();
+        for (const QString& other : journals()) {
+            QVERIFY(left.contains(other) || QFile::remove(QDir(journalFolder()).filePath(other)));
+        }
+        makeWindow([](Session& session) { loadTeapot(session); });
+        m_window->offerRecovery();
+        QTRY_VERIFY_WITH_TIMEOUT(isOffered(), kPatience);
+        clickRecover();
+        QTRY_COMPARE_WITH_TIMEOUT(hits(), before, kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(!journals().contains(left[0]), kPatience);
     }
 
     void aJumpAcrossScenesFindsTheFile() {
