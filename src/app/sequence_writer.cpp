@@ -49,12 +49,20 @@ Status SequenceWriter::start(const Plan& plan) {
     });
     if (made) {
         m_count = m_sequence->count();
-        QTimer::singleShot(0, this, &SequenceWriter::step);
+        stepSoon();
     }
     return made;
 }
 
+/// One at a time: what else the window does has its turn between two.
+void SequenceWriter::stepSoon() {
+    if (!std::exchange(m_isStepPosted, true)) {
+        QTimer::singleShot(0, this, &SequenceWriter::step);
+    }
+}
+
 void SequenceWriter::step() {
+    m_isStepPosted = false;
     if (!isRunning() || m_drawn >= m_count || m_waiting >= kMostWaiting) {
         return;  // took() goes on
     }
@@ -75,7 +83,7 @@ void SequenceWriter::step() {
         finish();
         return;
     }
-    QTimer::singleShot(0, this, &SequenceWriter::step);
+    stepSoon();
     if (const int each = m_plan.picture.samples; each > 1) {
         // A picture may begin anew.
         m_samples = std::min(std::max(m_samples + 1, m_drawn * each), (m_drawn + 1) * each);
@@ -117,7 +125,7 @@ void SequenceWriter::took(int run, const Status& saved) {
         stop();
         finish();
     } else {
-        QTimer::singleShot(0, this, &SequenceWriter::step);
+        stepSoon();
     }
 }
 

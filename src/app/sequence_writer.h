@@ -45,6 +45,7 @@ Q_SIGNALS:
     void failed(const hitscope::Error& error);  ///< likewise, less those that could not be drawn or written
 
 private:
+    void stepSoon();
     void step();
     void write(const Image& image);
     void took(int run, const Status& saved);
@@ -55,6 +56,7 @@ private:
     Plan m_plan;
     std::optional<PictureSequence> m_sequence;
     QThreadPool m_writers;
+    bool m_isStepPosted = false;
     int m_run = 0;  ///< tells late answers of a run before from this one's
     int m_count = 0;
     int m_drawn = 0;

@@ -11,6 +11,8 @@
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QStandardPaths>
+#include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "analysis/change_values.h"
@@ -48,6 +50,7 @@ private Q_SLOTS:
     void labelsAreThoseOfTheViewport();
     void twoPipelinesAreInOnePicture();
     void sequenceCanBeCancelled();
+    void sequenceGivesEventsTheirTurn();
     void dialogRemembers();
 
 private:
@@ -285,6 +288,29 @@ void PicturesTest::sequenceCanBeCancelled() {
     QVERIFY(!pictures().sequences().isRunning());
     QTRY_COMPARE_WITH_TIMEOUT(ended.size(), 1, kPatience);  // once those that are drawn are written
     QCOMPARE(files().size(), static_cast<qsizetype>(ended[0][0].toInt()));
+}
+
+/// However many pictures are written already.
+void PicturesTest::sequenceGivesEventsTheirTurn() {
+    SequenceWriter writer(m_window->viewport());
+    const QSignalSpy ended(&writer, &SequenceWriter::ended);
+    int steps = 0;
+    int most = 0;
+    connect(&writer, &SequenceWriter::sampled, this, [&] { most = std::max(most, ++steps); });
+    const std::function<void()> turn = [&] {
+        steps = 0;
+        if (ended.isEmpty()) {
+            QMetaObject::invokeMethod(&writer, turn, Qt::QueuedConnection);
+        }
+    };
+    PictureRequest small = request(32, 24);
+    small.samples = 16;
+    QVERIFY(writer.start({small, 24, m_folder->path(), QStringLiteral("turn")}).ok());
+    turn();
+    QTRY_COMPARE_WITH_TIMEOUT(ended.size(), 1, kPatience);
+    QCOMPARE(files().size(), 24);
+    // One late in a turn, and one early in the next.
+    QVERIFY2(most >= 1 && most <= 2, qPrintable(QString::number(most)));
 }
 
 void PicturesTest::dialogRemembers() {
