@@ -23,8 +23,9 @@ namespace hitscope {
 struct SceneFiles::Work {
     Into into = Into::NewScene;
     QString name;
-    QStringList paths;   ///< empty: it is made by us
-    qsizetype next = 0;  ///< of paths
+    std::uint64_t state = 0;  ///< SessionUndo::state() that is to be replaced
+    QStringList paths;        ///< empty: it is made by us
+    qsizetype next = 0;       ///< of paths
     OpeningProgress progress{{}};
     QElapsedTimer clock;       ///< of the file that is being opened; then of its mesh's preparation
     double readSeconds = 0.0;  ///< that it took
@@ -89,11 +90,7 @@ void SceneFiles::beginTask(const QString& name) {
         return;
     }
     m_progress = std::make_unique<TaskProgress>(
-        m_session.tasks(), doing,
-        [this] {
-            cancel();
-            Q_EMIT cancelled();
-        },
+        m_session.tasks(), doing, [this] { cancelAndTell(); },
         tr("Cancel opening; the scene stays unchanged"));
 }
 
@@ -134,6 +131,7 @@ void SceneFiles::open(const QStringList& paths, Into into) {
     }
     auto work = std::make_shared<Work>();
     work->into = into;
+    work->state = m_session.steps().state();
     std::vector<double> sizes;
     for (const QString& path : paths) {
         const QFileInfo file(path);
@@ -149,6 +147,7 @@ void SceneFiles::make(const QString& name, Into into, const std::function<SceneP
     cancel();
     auto work = std::make_shared<Work>();
     work->into = into;
+    work->state = m_session.steps().state();
     work->name = name;
     m_work = std::move(work);
     Q_EMIT started(name);
@@ -160,6 +159,11 @@ void SceneFiles::cancel() {
     if (m_work) {
         end();
     }
+}
+
+void SceneFiles::cancelAndTell() {
+    cancel();
+    Q_EMIT cancelled();
 }
 
 void SceneFiles::importNext() {
@@ -304,13 +308,39 @@ void SceneFiles::deliver() {
     }
     if (work->into == Into::ThisScene) {
         m_session.targets().add(std::move(work->scene.targets));
+        finish(work);
+    } else if (!m_ask || work->state == m_session.steps().state()) {
+        replaceBy(work);
     } else {
-        if (!work->paths.isEmpty()) {
-            makeRoom(work->scene.targets, {});
-            work->scene.name = sceneNameOf(work->scene);
-        }
-        m_session.loadScene(std::move(work->scene));
+        askAndReplace(work);
     }
+}
+
+/// What was done meanwhile may be worth keeping.
+void SceneFiles::askAndReplace(const std::shared_ptr<Work>& work) {
+    m_ask(
+        [this, work] {
+            if (work == m_work) {
+                replaceBy(work);
+            }
+        },
+        [this, work] {
+            if (work == m_work) {
+                cancelAndTell();
+            }
+        });
+}
+
+void SceneFiles::replaceBy(const std::shared_ptr<Work>& work) {
+    if (!work->paths.isEmpty()) {
+        makeRoom(work->scene.targets, {});
+        work->scene.name = sceneNameOf(work->scene);
+    }
+    m_session.loadScene(std::move(work->scene));
+    finish(work);
+}
+
+void SceneFiles::finish(const std::shared_ptr<Work>& work) {
     if (work->paths.isEmpty()) {
         Q_EMIT made(work->name, work->into);
     } else {

@@ -37,6 +37,12 @@ public:
     void cancel();
     [[nodiscard]] bool isOpening() const { return m_work != nullptr; }
 
+    /// Calls `then` where the scene as it is may be replaced, and `instead` where it may not; at once or
+    /// later.
+    using Ask = std::function<void(std::function<void()> then, std::function<void()> instead)>;
+    /// Is asked before a scene is replaced that was changed while a new one was on its way.
+    void setAsk(Ask ask) { m_ask = std::move(ask); }
+
     /// Draws a mesh before it is prepared, on any thread; null where that is not worth it.
     using Drawing = std::function<QImage(const MeshData&)>;
     /// `make` is called on this thread for each file that is to be a scene of its own.
@@ -56,7 +62,7 @@ Q_SIGNALS:
     void opened(const QStringList& paths, const QStringList& notes, hitscope::SceneFiles::Into into);
     void made(const QString& name, hitscope::SceneFiles::Into into);  ///< the session has it
     void failed(const hitscope::Error& error);
-    void cancelled();  ///< by somebody who saw it in the list of tasks
+    void cancelled();  ///< by somebody who saw it in the list of tasks, or keeps the scene that there is
     void ended();      ///< after opened, made, failed or cancelled
 
 private:
@@ -70,6 +76,10 @@ private:
     void runElsewhere(const std::function<ScenePlan()>& make, const std::function<void()>& then);
     void takeMade(const std::shared_ptr<Work>& work, const std::function<void()>& then);
     void deliver();
+    void askAndReplace(const std::shared_ptr<Work>& work);
+    void replaceBy(const std::shared_ptr<Work>& work);
+    void finish(const std::shared_ptr<Work>& work);
+    void cancelAndTell();
     void fail(const Error& error);
     void end();
     void beginTask(const QString& name);
@@ -83,6 +93,7 @@ private:
     std::shared_ptr<Work> m_work;              ///< null: nothing is being opened
     std::function<Drawing()> m_makeDrawing;
     Readying m_ready;
+    Ask m_ask;
 };
 
 }  // namespace hitscope

@@ -248,6 +248,54 @@ private Q_SLOTS:
         QVERIFY(!files().isBusy());
     }
 
+    void shotsAreAskedAboutBeforeMeshesToo_data() {
+        QTest::addColumn<bool>("isSample");
+        QTest::addColumn<QMessageBox::ButtonRole>("answer");
+        for (const bool isSample : {false, true}) {
+            const QByteArray what = isSample ? "sample scene" : "mesh";
+            QTest::newRow((what + ", kept").constData()) << isSample << QMessageBox::RejectRole;
+            QTest::newRow((what + ", saved").constData()) << isSample << QMessageBox::AcceptRole;
+            QTest::newRow((what + ", discarded").constData()) << isSample << QMessageBox::DestructiveRole;
+        }
+    }
+
+    void shotsAreAskedAboutBeforeMeshesToo() {
+        QFETCH(bool, isSample);
+        QFETCH(QMessageBox::ButtonRole, answer);
+        shoot(2, 1);
+        save(path("mine.hitscope"));
+        auto* meshes = m_window->findChild<SceneFiles*>();
+        const QSignalSpy ended(meshes, &SceneFiles::ended);
+        const QSignalSpy cancelled(meshes, &SceneFiles::cancelled);
+        if (isSample) {
+            for (QAction* action : m_window->findChildren<QAction*>()) {
+                if (action->text().remove(u'&') == sampleSceneName(SampleScene::Wall)) {
+                    action->trigger();
+                }
+            }
+        } else {
+            writeObj(makeHighPolyCube(2.5f), path("cube.obj"));
+            m_window->openFiles({path("cube.obj")});
+        }
+        QVERIFY(meshes->isOpening());
+        shoot(3, 2);
+        const std::size_t now = hits();
+        const QString scene = m_session->sceneName();
+        QTRY_VERIFY_WITH_TIMEOUT(discardQuestion(*m_window) != nullptr, kPatience);
+        QCOMPARE(hits(), now);
+        answerQuestion(*m_window, answer);
+        QTRY_COMPARE_WITH_TIMEOUT(ended.size(), 1, kPatience);
+        const bool isReplaced = answer != QMessageBox::RejectRole;
+        QCOMPARE(cancelled.size(), isReplaced ? 0 : 1);
+        QCOMPARE(hits(), isReplaced ? std::size_t{0} : now);
+        QCOMPARE(m_session->sceneName() != scene, isReplaced);
+        QVERIFY(!meshes->isOpening());
+        QCOMPARE(files().path(), isReplaced ? QString() : path("mine.hitscope"));
+        m_session->undo();  // of the new scene, or of the last shot
+        QCOMPARE(files().path(), path("mine.hitscope"));
+        QCOMPARE(files().isModified(), answer != QMessageBox::AcceptRole);
+    }
+
     void aNewSessionGivesUpWhatIsOpened() {
         save(path("a.hitscope"));
         m_window->openFiles({path("a.hitscope")});

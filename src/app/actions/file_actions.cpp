@@ -75,6 +75,9 @@ QString FileActions::sessionsFilter() {
 }
 
 FileActions::FileActions(const Parts& parts) : QObject(&parts.window), m_parts(parts) {
+    m_parts.files.setAsk([this](std::function<void()> then, std::function<void()> instead) {
+        m_parts.guard.ask(std::move(then), std::move(instead));
+    });
     connect(&m_parts.files, &SceneFiles::opened, this, &FileActions::takeOpened);
     connect(&m_parts.files, &SceneFiles::made, this, [this](const QString&, SceneFiles::Into into) {
         if (into == SceneFiles::Into::NewScene) {
