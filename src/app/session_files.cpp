@@ -45,7 +45,7 @@ SessionFiles::FileStamp SessionFiles::stampOf(const QString& path) {
 
 bool SessionFiles::isChangedByOthers() const {
     const FileStamp now = stampOf(m_file.path);
-    return now.size >= 0 && now != m_file.stamp;
+    return !isSavingTo(m_file.path) && now.size >= 0 && now != m_file.stamp;
 }
 
 bool SessionFiles::isModified() const {
@@ -117,19 +117,32 @@ void SessionFiles::fail(const Error& error) {
 
 // Saving
 
+bool SessionFiles::isSavingTo(const QString& path) const {
+    return m_work && m_work->isSave && m_work->path == path;
+}
+
 void SessionFiles::save(const QString& path) {
+    const QString file = QFileInfo(path).absoluteFilePath();
+    if (isSavingTo(file)) {
+        m_work->sceneAfter = m_session.steps().scene();
+        return;
+    }
     if (m_work) {
         Q_EMIT notSaved({"The session cannot be saved while another is opened or saved.", path.toStdString(),
                          "Wait until that has ended."});
         return;
     }
     begin(
-        tr("Saving %1").arg(QFileInfo(path).fileName()), [this] { m_work->cancelled = true; },
+        tr("Saving %1").arg(QFileInfo(path).fileName()),
+        [this] {
+            m_work->cancelled = true;
+            m_work->sceneAfter = 0;
+        },
         tr("Cancel saving; an earlier file stays unless the new one is written already"));
     m_work->isSave = true;
     m_work->document = captureHits(m_session, m_view.capture());
     m_work->positions = copyPositions(m_session);
-    m_work->path = QFileInfo(path).absoluteFilePath();
+    m_work->path = file;
     workBeside(
         this, [work = m_work] { work->write(); },
         [work = m_work](SessionFiles& self, bool done) { self.takeWritten(work, done); });
@@ -140,22 +153,34 @@ void SessionFiles::takeWritten(const std::shared_ptr<Work>& work, bool done) {
     if (isOfThis) {
         end();
     }
-    if (work->isGivenUp) {
-        Q_EMIT saveCancelled();
-    } else if (!done || !work->status) {
-        Q_EMIT notSaved(done ? work->status.error() : noRoomFor(work->path));
+    if (done && !work->isGivenUp && work->status) {
+        keepWritten(*work);
+    }
+    if (isOfThis && work->sceneAfter == m_scene) {
+        save(work->path);  // who waits for it waits for all of it
     } else {
-        const File written{work->path, work->state, false, work->stamp};
-        if (work->scene == m_scene) {
-            m_file = written;
-            m_wasModified = isModified();
-            Q_EMIT changed();
-        } else if (const auto other = m_others.find(work->scene); other != m_others.end()) {
-            other->second = written;
-        }
-        if (isOfThis) {
-            Q_EMIT saved(work->path);
-        }
+        tellWritten(*work, done, isOfThis);
+    }
+}
+
+void SessionFiles::keepWritten(const Work& work) {
+    const File written{work.path, work.state, false, work.stamp};
+    if (work.scene == m_scene) {
+        m_file = written;
+        m_wasModified = isModified();
+        Q_EMIT changed();
+    } else if (const auto other = m_others.find(work.scene); other != m_others.end()) {
+        other->second = written;
+    }
+}
+
+void SessionFiles::tellWritten(const Work& work, bool done, bool isOfThis) {
+    if (work.isGivenUp) {
+        Q_EMIT saveCancelled();
+    } else if (!done || !work.status) {
+        Q_EMIT notSaved(done ? work.status.error() : noRoomFor(work.path));
+    } else if (isOfThis) {
+        Q_EMIT saved(work.path);
     }
     Q_EMIT saveEnded();
 }

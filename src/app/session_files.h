@@ -40,14 +40,15 @@ public:
 
     [[nodiscard]] const QString& path() const { return m_file.path; }  ///< empty: it was never saved
     /// Whether its file is another one now than was opened or saved here, by size or time; not where it is
-    /// gone.
+    /// gone, nor while it is being saved to.
     [[nodiscard]] bool isChangedByOthers() const;
     [[nodiscard]] bool isModified() const;  ///< since it was saved, opened or let go
     [[nodiscard]] bool isRecovered() const { return m_file.isRecovered; }  ///< and not saved since
     [[nodiscard]] bool isBusy() const { return m_work != nullptr; }
 
     /// Writes it there, whole or not at all; ends with saved(), notSaved() or saveCancelled(). What is
-    /// changed meanwhile is not in it. If another scene takes the place of this one before, it is written all
+    /// changed meanwhile is not in it, unless it is called again before: then it is written once more, and
+    /// the end of that is told. If another scene takes the place of this one before, it is written all
     /// the same, which nobody is told; undone, the scene is in that file.
     void save(const QString& path);
     /// Replaces the session by the file's; ends with opened(), failed() or cancelled(), of which the last two
@@ -102,7 +103,10 @@ private:
     void begin(const QString& doing, std::function<void()> cancel, const QString& cancelHelp);
     void beginOpening(const QString& name);
     void leaveSaving();
+    [[nodiscard]] bool isSavingTo(const QString& path) const;
     void takeWritten(const std::shared_ptr<Work>& work, bool done);
+    void keepWritten(const Work& work);
+    void tellWritten(const Work& work, bool done, bool isOfThis);
     void say(const Work& work, double fraction, const QString& doing);
     void prepare();
     void take(const std::shared_ptr<Work>& work, bool done);

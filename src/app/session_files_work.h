@@ -23,6 +23,7 @@ struct SessionFiles::Work {
     bool isRecovered = false;
     bool isSave = false;
     std::uint64_t scene = 0;                 ///< SessionUndo::scene() that is written
+    std::uint64_t sceneAfter = 0;            ///< that is to be written there after it; 0: none
     std::uint64_t state = 0;                 ///< SessionUndo::state() that is written, or is to be replaced
     std::function<void(Ended)> ended = {};   ///< openDocument()'s
     QString noteInPart;                      ///< likewise

@@ -18,7 +18,9 @@
 #include "analysis/background_pool.h"
 #include "app/mesh_exporter.h"
 #include "app/scene_files.h"
+#include "app/session_collector.h"
 #include "app/session_files.h"
+#include "document/session_file.h"
 #include "session/export/export_target.h"
 #include "session/sample_scenes.h"
 #include "session/task_list.h"
@@ -67,6 +69,8 @@ private Q_SLOTS:
     void aSaveLeavesTheFileOfBefore();
     void whatIsChangedDuringASaveIsNotSaved();
     void anotherSceneIsNotInTheFileThatIsBeingSaved();
+    void anotherSaveIsNotLost();
+    void closingDuringASaveSavesTheRest();
 
 private:
     [[nodiscard]] QString path(const QString& name) const { return m_folder->filePath(name); }
@@ -91,6 +95,18 @@ private:
         hit.point = {0.0f, 2.5f, 0.0f};
         hit.direction = {0.0f, -1.0f, 0.0f};
         QVERIFY(m_session->hits().add(hit).ok());
+    }
+    /// With one hit, and another that is not saved yet.
+    void saveThenHit(const QString& file) {
+        QSignalSpy saved(&sessions(), &SessionFiles::saved);
+        hit();
+        sessions().save(file);
+        QTRY_COMPARE_WITH_TIMEOUT(saved.size(), 1, kPatience);
+        hit();
+    }
+    [[nodiscard]] static std::size_t hitsIn(const QString& file) {
+        const Result<SessionDocument> read = readSessionFile(file);
+        return read ? read.value().hits.size() : 0;
     }
     /// As soon as the status bar shows it.
     void clickCancel() {
@@ -226,6 +242,44 @@ void CancelTest::anotherSceneIsNotInTheFileThatIsBeingSaved() {
     QVERIFY(!sessions().isModified());
     hit();
     QVERIFY(sessions().isModified());
+}
+
+/// Nor is what the first has written already taken for another program's.
+void CancelTest::anotherSaveIsNotLost() {
+    const QString file = path(QStringLiteral("a.hitscope"));
+    saveThenHit(file);
+    QSignalSpy saved(&sessions(), &SessionFiles::saved);
+    QSignalSpy notSaved(&sessions(), &SessionFiles::notSaved);
+    sessions().save(file);
+    backgroundPool().waitForDone();
+    QCOMPARE(hitsIn(file), std::size_t{2});
+    QVERIFY(!sessions().isChangedByOthers());
+    hit();
+    QTest::keyClick(&m_window->viewport(), Qt::Key_S, Qt::ControlModifier);
+    QTest::keyClick(&m_window->viewport(), Qt::Key_S, Qt::ControlModifier);
+    QCOMPARE(notSaved.size(), 0);
+    QTRY_VERIFY_WITH_TIMEOUT(!sessions().isBusy(), kPatience);
+    QCOMPARE(saved.size(), 1);  // when all of it is
+    QCOMPARE(hitsIn(file), std::size_t{3});
+    QVERIFY(!sessions().isModified());
+    QVERIFY(!sessions().isChangedByOthers());
+}
+
+void CancelTest::closingDuringASaveSavesTheRest() {
+    const QString file = path(QStringLiteral("a.hitscope"));
+    saveThenHit(file);
+    QSignalSpy notSaved(&sessions(), &SessionFiles::notSaved);
+    HeldPool held;
+    sessions().save(file);
+    hit();
+    m_window->close();
+    answerQuestion(*m_window, QMessageBox::AcceptRole);
+    QCoreApplication::processEvents();  // the save begins when the box has ended
+    QCOMPARE(notSaved.size(), 0);
+    QVERIFY(m_window->isVisible());
+    held.release();
+    QTRY_VERIFY_WITH_TIMEOUT(!m_window->isVisible(), kPatience);
+    QCOMPARE(hitsIn(file), std::size_t{3});
 }
 
 HITSCOPE_TEST(CancelTest, QApplication)
