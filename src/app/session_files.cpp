@@ -143,6 +143,7 @@ void SessionFiles::save(const QString& path) {
     m_work->document = captureHits(m_session, m_view.capture());
     m_work->positions = copyPositions(m_session);
     m_work->path = file;
+    Q_EMIT writing(file);
     workBeside(
         this, [work = m_work] { work->write(); },
         [work = m_work](SessionFiles& self, bool done) { self.takeWritten(work, done); });
@@ -153,9 +154,11 @@ void SessionFiles::takeWritten(const std::shared_ptr<Work>& work, bool done) {
     if (isOfThis) {
         end();
     }
-    if (done && !work->isGivenUp && work->status) {
+    const bool isWritten = done && !work->isGivenUp && work->status;
+    if (isWritten) {
         keepWritten(*work);
     }
+    Q_EMIT written(work->path, isWritten);
     if (isOfThis && work->sceneAfter == m_scene) {
         save(work->path);  // who waits for it waits for all of it
     } else {

@@ -76,7 +76,9 @@ public:
     void letGo();
 
 Q_SIGNALS:
-    void changed();  ///< path() or isModified()
+    void changed();                                     ///< path() or isModified()
+    void writing(const QString& path);                  ///< a save begins
+    void written(const QString& path, bool isWritten);  ///< and ends; before what is told of it
     void saved(const QString& path);
     void left();  ///< leave()
     void openingBegun();

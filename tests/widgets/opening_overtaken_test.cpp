@@ -296,6 +296,28 @@ private Q_SLOTS:
         QCOMPARE(files().isModified(), answer != QMessageBox::AcceptRole);
     }
 
+    /// However long it takes from the file's new name until the window hears of it.
+    void aSlowSaveIsNoChangeByOthers() {
+        shoot(2, 1);
+        save(path("a.hitscope"));
+        QTRY_VERIFY_WITH_TIMEOUT(!knownContentOf(*m_window, path("a.hitscope")).empty(), kPatience);
+        shoot(2, 2);
+        QObject context;
+        connect(&files(), &SessionFiles::changed, &context, [&context, this] {
+            disconnect(&files(), nullptr, &context, nullptr);
+            QTest::qWait(4 * FileWatch::kSettles);
+        });
+        save(path("a.hitscope"));
+        QTest::qWait(2 * FileWatch::kSettles);
+        const QString told = m_window->findChild<NoticeBar*>()->text();
+        QVERIFY2(!told.contains(QStringLiteral("a.hitscope")), qPrintable(told));
+        QFile other(path("a.hitscope"));
+        QVERIFY(other.open(QIODevice::Append) && other.write("\n") == 1);
+        other.close();
+        QTRY_VERIFY_WITH_TIMEOUT(
+            m_window->findChild<NoticeBar*>()->text().contains(QStringLiteral("a.hitscope")), kPatience);
+    }
+
     void aNewSessionGivesUpWhatIsOpened() {
         save(path("a.hitscope"));
         m_window->openFiles({path("a.hitscope")});

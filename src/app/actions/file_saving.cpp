@@ -33,7 +33,9 @@ void FileActions::watchFile() {
         const QString& path = m_parts.sessions.path();
         m_watch.follow(path.isEmpty() ? std::vector<MeshFile>() : std::vector<MeshFile>{{.path = path}});
     });
-    connect(&m_parts.sessions, &SessionFiles::saved, &m_watch, &FileWatch::expect);
+    // The file has its new name some time before the end of the save is told.
+    connect(&m_parts.sessions, &SessionFiles::writing, &m_watch, &FileWatch::hold);
+    connect(&m_parts.sessions, &SessionFiles::written, &m_watch, &FileWatch::release);
     connect(&m_parts.sessions, &SessionFiles::notSaved, this, &FileActions::offerElsewhere);
     connect(&m_watch, &FileWatch::changed, this, &FileActions::tellChanged);
 }
