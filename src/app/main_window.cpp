@@ -114,10 +114,10 @@ MainWindow::MainWindow(Session& session, QWidget* parent)
     m_actions.textureChooser->restore(m_settings.coverTexture);
     m_actions.cameras->load(QSettings());
     connectSession();
-    connectSettings();
     connectMessages();
     connectViewport();
     restoreWindow();
+    connectSettings();  // from here on, what is changed is the person's
     statusBar()->showMessage(tr("Click shoots, drag orbits, wheel zooms. F1 lists all keys."), kHintStays);
     m_viewport->setFocus();
 }

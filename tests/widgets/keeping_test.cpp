@@ -26,6 +26,8 @@ private Q_SLOTS:
 
     void settingsAreSavedWhenTheyChange();
     void nothingIsWrittenWithoutAChange();
+    void anotherWindowsSettingsStay();
+    void recentFilesOfAllWindowsStay();
     void saysThatSettingsCannotBeSaved();
     void habitKeysSaveAndStartAnew();
     void signalsEndInOrder_data();
@@ -57,6 +59,48 @@ void KeepingTest::nothingIsWrittenWithoutAChange() {
     QTest::keyClick(&m_window->viewport(), Qt::Key_L);
     keeper->saveNow();
     QVERIFY(QFile::exists(file));
+}
+
+/// What it has changed, and not what was changed in this one.
+void KeepingTest::anotherWindowsSettingsStay() {
+    m_settings = std::make_unique<TestSettings>();
+    const QString power = QStringLiteral("constants/power");
+    const QString floor = QStringLiteral("display/floor");
+    const QString bookmark = QStringLiteral("camera/bookmark1");
+    makeWindow();
+    const bool hadFloor = m_window->viewport().options().floor;
+    {
+        QSettings other;
+        other.setValue(power, QStringLiteral("3.5"));
+        other.setValue(floor, !hadFloor);
+        other.setValue(bookmark, QStringLiteral("elsewhere"));
+    }
+    auto* keeper = m_window->findChild<SettingsKeeper*>();
+    QTest::keyClick(&m_window->viewport(), Qt::Key_L);
+    QTRY_COMPARE_WITH_TIMEOUT(QSettings().value(QStringLiteral("display/wireframe")).toInt(),
+                              static_cast<int>(WireframeMode::Over), kPatience);
+    QTest::keyClick(&m_window->viewport(), Qt::Key_L);
+    keeper->saveNow();
+    const QSettings now;
+    QVERIFY(now.value(QStringLiteral("display/wireframe")).toInt() != static_cast<int>(WireframeMode::Over));
+    QCOMPARE(now.value(power).toString(), QStringLiteral("3.5"));
+    QCOMPARE(now.value(floor).toBool(), !hadFloor);
+    QCOMPARE(now.value(bookmark).toString(), QStringLiteral("elsewhere"));
+}
+
+void KeepingTest::recentFilesOfAllWindowsStay() {
+    const QString key = QStringLiteral("recentFiles");
+    m_settings = std::make_unique<TestSettings>();
+    QSettings().setValue(key, QStringList{QStringLiteral("/old.obj")});
+    makeWindow();
+    QSettings().setValue(key, QStringList{QStringLiteral("/other.obj"), QStringLiteral("/old.obj")});
+    QTemporaryDir folder;
+    const QString mine = folder.filePath(QStringLiteral("mine.obj"));
+    writeObj(makeLowPolyCube(1.0f), mine);
+    m_window->openFiles({mine});
+    QTRY_COMPARE_WITH_TIMEOUT(QSettings().value(key).toStringList(),
+                              (QStringList{mine, QStringLiteral("/other.obj"), QStringLiteral("/old.obj")}),
+                              kPatience);
 }
 
 void KeepingTest::saysThatSettingsCannotBeSaved() {

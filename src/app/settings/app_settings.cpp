@@ -83,6 +83,23 @@ void AppSettings::addRecentFile(const QString& path) {
     recentFiles = recentFiles.mid(0, kMostRecentFiles);
 }
 
+QStringList mergedRecentFiles(const QStringList& mine, const QStringList& before, const QStringList& theirs) {
+    QStringList all = mine;
+    all.removeIf([&before](const QString& path) { return before.contains(path); });
+    for (const QString& path : theirs) {
+        if (!before.contains(path)) {
+            all << path;
+        }
+    }
+    for (const QString& path : mine) {
+        if (before.contains(path) && theirs.contains(path)) {
+            all << path;
+        }
+    }
+    all.removeDuplicates();
+    return all.mid(0, AppSettings::kMostRecentFiles);
+}
+
 AppSettings loadAppSettings(const QSettings& settings) {
     AppSettings values;
     values.theme = readEnum(settings, QStringLiteral("theme"), 3, values.theme);
@@ -113,7 +130,7 @@ AppSettings loadAppSettings(const QSettings& settings) {
         values.stretchLimit = stretch;
     }
     values.recentFiles =
-        settings.value(QStringLiteral("recentFiles")).toStringList().mid(0, AppSettings::kMostRecentFiles);
+        settings.value(QLatin1String(kRecentFilesKey)).toStringList().mid(0, AppSettings::kMostRecentFiles);
     values.folder = settings.value(QStringLiteral("folder")).toString();
     return values;
 }
@@ -145,7 +162,7 @@ void saveAppSettings(QSettings& settings, const AppSettings& values) {
     }
     settings.setValue(QStringLiteral("display/coverTexture"), values.coverTexture);
     settings.setValue(QStringLiteral("statistics/stretchLimit"), values.stretchLimit);
-    settings.setValue(QStringLiteral("recentFiles"), values.recentFiles);
+    settings.setValue(QLatin1String(kRecentFilesKey), values.recentFiles);
     settings.setValue(QStringLiteral("folder"), values.folder);
 }
 

@@ -28,6 +28,12 @@ struct AppSettings {
     void addRecentFile(const QString& path);
 };
 
+inline constexpr const char* kRecentFilesKey = "recentFiles";
+/// Of this window and of others, newest first. `before`: those that both began with; who has cleared one of
+/// them decides for both. No more than kMostRecentFiles.
+[[nodiscard]] QStringList mergedRecentFiles(const QStringList& mine, const QStringList& before,
+                                            const QStringList& theirs);
+
 [[nodiscard]] AppSettings loadAppSettings(const QSettings& settings);
 void saveAppSettings(QSettings& settings, const AppSettings& values);
 

@@ -10,6 +10,7 @@
 
 #include "analysis/beside.h"
 #include "analysis/changed_settings.h"
+#include "app/settings/app_settings.h"
 
 namespace hitscope {
 
@@ -35,6 +36,7 @@ SettingsKeeper::SettingsKeeper(std::function<void(QSettings&)> save, QObject* pa
     m_soon.setInterval(kSoon);
     connect(&m_soon, &QTimer::timeout, this, &SettingsKeeper::saveBeside);
     QCoreApplication::instance()->installEventFilter(this);
+    m_saved = values();
 }
 
 SettingsKeeper::~SettingsKeeper() = default;
@@ -52,9 +54,13 @@ bool SettingsKeeper::eventFilter(QObject* watched, QEvent* event) {
     return QObject::eventFilter(watched, event);
 }
 
-/// Gathered in settings that are emptied before they would be written.
+/// Gathered in settings that are emptied before they would be written. What is not put into them stays as it
+/// was saved.
 QMap<QString, QVariant> SettingsKeeper::values() const {
     QSettings scratch(QStringLiteral("/dev/null/settings"), QSettings::IniFormat);  // nothing can be there
+    for (auto saved = m_saved.begin(); saved != m_saved.end(); ++saved) {
+        scratch.setValue(saved.key(), saved.value());
+    }
     m_save(scratch);
     QMap<QString, QVariant> values;
     for (const QString& key : scratch.allKeys()) {
@@ -64,6 +70,26 @@ QMap<QString, QVariant> SettingsKeeper::values() const {
     return values;
 }
 
+void SettingsKeeper::writeChanges(QSettings& settings, const QMap<QString, QVariant>& now) const {
+    const QString recent = QLatin1String(kRecentFilesKey);
+    for (auto value = now.begin(); value != now.end(); ++value) {
+        const QVariant before = m_saved.value(value.key());
+        if (value.value() == before) {
+            continue;
+        }
+        settings.setValue(value.key(),
+                          value.key() != recent
+                              ? value.value()
+                              : mergedRecentFiles(value.value().toStringList(), before.toStringList(),
+                                                  settings.value(recent).toStringList()));
+    }
+    for (auto saved = m_saved.begin(); saved != m_saved.end(); ++saved) {
+        if (!now.contains(saved.key())) {
+            settings.remove(saved.key());
+        }
+    }
+}
+
 void SettingsKeeper::saveNow() {
     m_soon.stop();
     QMap<QString, QVariant> now = values();
@@ -71,7 +97,7 @@ void SettingsKeeper::saveNow() {
         return;
     }
     QSettings settings;
-    m_save(settings);
+    writeChanges(settings, now);
     settings.sync();
     noteSaved(std::move(now), settings.status() == QSettings::NoError && settings.isWritable(),
               settings.fileName());
@@ -88,7 +114,7 @@ void SettingsKeeper::saveBeside() {
     }
     m_isSaving = true;
     ChangedSettings settings;
-    m_save(*settings);
+    writeChanges(*settings, now);
     const QString file = settings->fileName();
     auto isSaved = std::make_shared<bool>(false);
     workBeside(

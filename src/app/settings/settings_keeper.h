@@ -12,11 +12,11 @@ class QSettings;
 namespace hitscope {
 
 /// Saves the settings half a second after the person has done something that changed them, so that a crash
-/// takes none along. Nothing is written while nothing has changed.
+/// takes none along. Only what has changed here is written: the rest may be another window's by now.
 class SettingsKeeper : public QObject {
     Q_OBJECT
 public:
-    /// `save` puts all settings into what it is given.
+    /// `save` puts all settings into what it is given, as they are now, which counts as saved.
     explicit SettingsKeeper(std::function<void(QSettings&)> save, QObject* parent = nullptr);
     ~SettingsKeeper() override;
 
@@ -34,13 +34,14 @@ protected:
 
 private:
     void saveBeside();
+    void writeChanges(QSettings& settings, const QMap<QString, QVariant>& now) const;
     void noteSaved(QMap<QString, QVariant> values, bool isSaved, const QString& file);
     [[nodiscard]] QMap<QString, QVariant> values() const;
 
     std::function<void(QSettings&)> m_save;
     QTimer m_soon;
-    QMap<QString, QVariant> m_saved;
-    bool m_isSaving = false;  ///< by another thread
+    QMap<QString, QVariant> m_saved;  ///< by this window, or as it began
+    bool m_isSaving = false;          ///< by another thread
     bool m_hasFailed = false;
 };
 
