@@ -125,10 +125,10 @@ void SceneFiles::sayPreparing() {
 }
 
 void SceneFiles::open(const QStringList& paths, Into into) {
-    cancel();
     if (paths.isEmpty()) {
         return;
     }
+    cancel();
     auto work = std::make_shared<Work>();
     work->into = into;
     work->state = m_session.steps().state();

@@ -60,6 +60,7 @@ private Q_SLOTS:
     void whatCannotBeReadIsLeftOut();
     void filesAndTargetsAreAdded();
     void cancellingLeavesTheScene();
+    void noFilesGiveNothingUp();
     void aLargeMeshIsSeenBeforeItIsPrepared();
     void theSceneComesWhenAllIsReady();
     void whatIsNotReadyYetCanBeCancelled();
@@ -189,6 +190,17 @@ void SceneFilesTest::cancellingLeavesTheScene() {
     QTest::qWait(600);
     QCOMPARE(made.count(), 0);
     QCOMPARE(session.targets().size(), std::size_t{16});
+}
+
+/// As a dialog gives them that was cancelled.
+void SceneFilesTest::noFilesGiveNothingUp() {
+    Session session;
+    SceneFiles files(session);
+    QSignalSpy opened(&files, &SceneFiles::opened);
+    files.open({path("a.obj")});
+    files.open({}, SceneFiles::Into::ThisScene);
+    QVERIFY(files.isOpening());
+    QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, kPatience);
 }
 
 void SceneFilesTest::theSceneComesWhenAllIsReady() {
