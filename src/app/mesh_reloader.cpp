@@ -168,6 +168,12 @@ void MeshReloader::setChanged(const QStringList& paths) {
     }
 }
 
+void MeshReloader::offerBesides(const QStringList& paths) {
+    QStringList all = paths + m_changed;
+    all.removeDuplicates();
+    setChanged(all);
+}
+
 void MeshReloader::take(const QString& path) {
     QStringList changed = m_changed;
     changed.removeAll(path);
@@ -204,7 +210,7 @@ void MeshReloader::reload() {
         m_session.tasks(), tr("Reading %1").arg(QFileInfo(work->files.front()).fileName()),
         [this, files = work->files] {
             giveUp();
-            setChanged(files);
+            offerBesides(files);
             Q_EMIT cancelled();
         },
         tr("Cancel reading; the meshes stay as they are"));
@@ -280,7 +286,7 @@ void MeshReloader::finish(const std::shared_ptr<Work>& work, bool done) {
                       "The targets stay as they were; reload the mesh when its file can be read."};
     }
     if (error) {
-        setChanged(work->files + m_changed);
+        offerBesides(work->files);
         Q_EMIT failed(*error);
         return;
     }
@@ -314,7 +320,7 @@ void MeshReloader::offerAgain(const Work& work) {
     if (left.isEmpty()) {
         return;
     }
-    setChanged(left + m_changed);
+    offerBesides(left);
     QStringList names;
     for (const QString& path : left) {
         names << QFileInfo(path).fileName();

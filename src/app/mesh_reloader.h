@@ -54,6 +54,7 @@ private:
     [[nodiscard]] bool isOther(const QString& path) const;
     [[nodiscard]] std::vector<TargetId> usersOf(const QStringList& paths) const;
     void setChanged(const QStringList& paths);
+    void offerBesides(const QStringList& paths);  ///< those that have changed meanwhile
     void prepare(const std::shared_ptr<Work>& work);
     void say(const Work& work, double fraction, const QString& doing);
     void finish(const std::shared_ptr<Work>& work, bool done);

@@ -56,6 +56,7 @@ private Q_SLOTS:
     void keptByTheJournal();
     void notOfThisSession();
     void changedMeanwhile();
+    void changedDuringReadingStaysOffered();
 
 private:
     [[nodiscard]] const Target& target() const { return *m_session->targets().front(); }
@@ -352,6 +353,35 @@ void ReloadTest::changedMeanwhile() {
     QCOMPARE(failed.size(), 2);
     QCOMPARE(reloaded.size(), 1);
     QVERIFY(reloader->changedFiles().isEmpty());
+}
+
+/// Once each, whether reading is cancelled or fails.
+void ReloadTest::changedDuringReadingStaysOffered() {
+    const QString board = m_folder->filePath(QStringLiteral("board.obj"));
+    const QString material = m_folder->filePath(QStringLiteral("board.mtl"));
+    write(QStringLiteral("board.mtl"), "newmtl wood\nKd 0.5 0.5 0.5\n");
+    const QByteArray triangle = "mtllib board.mtl\nv -1 0 0\nv 1 0 0\nv 1 2 0\nusemtl wood\nf 1 2 3\n";
+    write(QStringLiteral("board.obj"), triangle);
+    m_window->openFiles({board});
+    QTRY_COMPARE_WITH_TIMEOUT(target().name, QStringLiteral("board"), kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(!knownContentOf(*m_window, board).empty(), kPatience);
+    write(QStringLiteral("board.obj"), "v 1 2\nf 1 2 3\n");
+    QTRY_VERIFY_WITH_TIMEOUT(bar().isVisible(), kPatience);
+    auto* reloader = m_window->findChild<MeshReloader*>();
+    auto* watch = reloader->findChild<FileWatch*>();
+    const QSignalSpy failed(reloader, &MeshReloader::failed);
+    const auto readWhileBothChange = [&] {
+        reloader->reload();
+        Q_EMIT watch->changed(board);
+        Q_EMIT watch->changed(material);
+    };
+    readWhileBothChange();
+    m_session->tasks().cancel(m_session->tasks().current()->id);
+    QCOMPARE(reloader->changedFiles(), (QStringList{board, material}));
+    readWhileBothChange();
+    QTRY_COMPARE_WITH_TIMEOUT(failed.size(), 1, kPatience);
+    QCOMPARE(reloader->changedFiles(), (QStringList{board, material}));
+    QApplication::activeModalWidget()->close();
 }
 
 HITSCOPE_TEST(ReloadTest, QApplication)
