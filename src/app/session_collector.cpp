@@ -40,6 +40,7 @@ SessionCollector::SessionCollector(Session& session, const SessionFiles& files,
                                    std::function<CapturedView()> view, QWidget& window)
     : QObject(&window), m_session(session), m_files(files), m_view(std::move(view)), m_window(window) {}
 
+/// What is being written is finished: the application waits for it when it ends (backgroundPool()).
 SessionCollector::~SessionCollector() {
     giveUp();
 }
@@ -97,11 +98,7 @@ void SessionCollector::collect(const QString& folder) {
     m_work = work;
     m_progress = std::make_unique<TaskProgress>(
         m_session.tasks(), tr("Collecting %1").arg(work->name),
-        [this] {
-            giveUp();
-            Q_EMIT said(tr("Cancelled. Nothing was written."));
-            Q_EMIT cancelled();
-        },
+        [work] { work->cancelled = true; },  // finish() knows whether that was in time
         tr("Cancel collecting; the folder stays as it was"));
     const auto report = [self = QPointer(this), work](double fraction, const QString& doing) {
         QMetaObject::invokeMethod(
@@ -147,12 +144,17 @@ void SessionCollector::tellCollected(const QString& folder, const QStringList& n
 }
 
 void SessionCollector::finish(const std::shared_ptr<Work>& work, bool done) {
-    if (work != m_work) {
-        return;
+    const bool isWritten = done && work->notes;
+    if (work == m_work) {
+        m_work.reset();
+        m_progress.reset();
+    } else if (!isWritten) {
+        return;  // another has taken its place
     }
-    m_work.reset();
-    m_progress.reset();
-    if (!done) {
+    if (work->cancelled && !isWritten) {
+        Q_EMIT said(tr("Cancelled. Nothing was written."));
+        Q_EMIT cancelled();
+    } else if (!done) {
         Q_EMIT failed({"There is not enough memory to collect this session.", work->folder.toStdString(),
                        "Close other programs, and try again."});
     } else if (!work->notes) {

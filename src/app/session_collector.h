@@ -30,7 +30,8 @@ public:
     ~SessionCollector() override;
 
     void fill(QMenu& menu);
-    /// As it is now, into `folder`; ends with collected(), failed() or cancelled().
+    /// As it is now, into `folder`; ends with collected(), failed() or cancelled(). Cancelled too late it
+    /// ends with collected().
     void collect(const QString& folder);
 
 Q_SIGNALS:

@@ -71,6 +71,8 @@ private Q_SLOTS:
     void anotherSceneIsNotInTheFileThatIsBeingSaved();
     void anotherSaveIsNotLost();
     void closingDuringASaveSavesTheRest();
+    void aCollectionSaysHowItEnded_data();
+    void aCollectionSaysHowItEnded();
 
 private:
     [[nodiscard]] QString path(const QString& name) const { return m_folder->filePath(name); }
@@ -280,6 +282,39 @@ void CancelTest::closingDuringASaveSavesTheRest() {
     held.release();
     QTRY_VERIFY_WITH_TIMEOUT(!m_window->isVisible(), kPatience);
     QCOMPARE(hitsIn(file), std::size_t{3});
+}
+
+void CancelTest::aCollectionSaysHowItEnded_data() {
+    QTest::addColumn<bool>("isLate");
+    QTest::newRow("cancelled in time") << false;
+    QTest::newRow("cancelled when it was written") << true;
+}
+
+void CancelTest::aCollectionSaysHowItEnded() {
+    QFETCH(bool, isLate);
+    loadTeapot(*m_session);
+    waitForNoTask();
+    auto* const collector = m_window->findChild<SessionCollector*>();
+    const QSignalSpy collected(collector, &SessionCollector::collected);
+    const QSignalSpy cancelled(collector, &SessionCollector::cancelled);
+    const QString folder = path(QStringLiteral("shared"));
+    HeldPool held;
+    collector->collect(folder);
+    if (isLate) {
+        held.release();
+        backgroundPool().waitForDone();
+        QVERIFY(QFile::exists(folder));
+    }
+    m_session->tasks().cancel(m_session->tasks().current()->id);
+    QVERIFY(cancelled.isEmpty());  // it is not known yet
+    held.release();
+    waitForNoTask();
+    QCOMPARE(QFile::exists(folder), isLate);
+    QCOMPARE(collected.size(), isLate ? 1 : 0);
+    QCOMPARE(cancelled.size(), isLate ? 0 : 1);
+    QVERIFY2(said().startsWith(isLate ? QStringLiteral("Collected in ")
+                                      : QStringLiteral("Cancelled. Nothing was written.")),
+             qPrintable(said()));
 }
 
 HITSCOPE_TEST(CancelTest, QApplication)
