@@ -31,8 +31,9 @@ SessionJournal::SessionJournal(Session& session, std::function<CapturedView()> v
     const SessionTargets& targets = session.targets();
     connect(&targets, &SessionTargets::added, this, [this] {
         note(Section::Targets);
-        if (!m_startsOver) {
-            flush();  // hits on it may follow, and would be on none
+        if (m_isBegun && !m_startsOver) {
+            m_hasNewTargets = true;
+            m_soon.start(0);  // once for all that come at a time
         }
     });
     connect(&targets, &SessionTargets::removed, this, noting(Section::Targets));
@@ -105,6 +106,9 @@ void SessionJournal::followHits() {
         startOver();
         return;
     }
+    if (m_hasNewTargets) {
+        flush();  // else hits on them would be on none
+    }
     m_revision = history.revision();
     for (const HistoryEdit& edit : *edits) {
         m_writer.edit(edit.first, edit.before.size(), edit.after);
@@ -114,6 +118,7 @@ void SessionJournal::followHits() {
 void SessionJournal::flush() {
     m_soon.stop();
     m_soon.setInterval(kSoon);
+    m_hasNewTargets = false;
     if (std::exchange(m_startsOver, false)) {
         m_noted.clear();
         m_isBegun = true;
@@ -131,6 +136,7 @@ void SessionJournal::finish() {
     m_soon.stop();
     m_noted.clear();
     m_startsOver = false;
+    m_hasNewTargets = false;
     m_isBegun = false;
     m_hadHits = m_session.hits().history().size() > 0;
     m_writer.finish();

@@ -15,7 +15,8 @@ namespace hitscope {
 class Session;
 
 /// Keeps the journal of a session: every change of it goes to a JournalWriter, edits of the history at once,
-/// all else kSoon later and in one piece, since sliders and cameras change often.
+/// new targets in the next turn of the event loop or before the first edit that may be about them, all else
+/// kSoon later and in one piece, since sliders and cameras change often.
 class SessionJournal : public QObject {
     Q_OBJECT
 public:
@@ -54,8 +55,9 @@ private:
     std::set<Section> m_noted;
     std::uint64_t m_revision = 0;  ///< of the history that the journal has
     bool m_isBegun = false;
-    bool m_hadHits = false;     ///< when the journal went
-    bool m_startsOver = false;  ///< with the next flush()
+    bool m_hadHits = false;        ///< when the journal went
+    bool m_startsOver = false;     ///< with the next flush()
+    bool m_hasNewTargets = false;  ///< that the writer does not know
 };
 
 }  // namespace hitscope

@@ -58,6 +58,7 @@ private Q_SLOTS:
     void anotherScene();
     void otherMeshes();
     void targetsComeBeforeTheirHits();
+    void targetsThatComeTogetherAreWrittenOnce();
     void endsInOrder();
     void longHistories();
 
@@ -296,6 +297,25 @@ void SessionJournalTest::targetsComeBeforeTheirHits() {
     tryNow();
     m_session->redo();
     tryNow();
+}
+
+/// And in the next turn of the event loop, without waiting as sliders do.
+void SessionJournalTest::targetsThatComeTogetherAreWrittenOnce() {
+    QVERIFY(m_session->hits().add(hitOn(*m_session, 1, 0.1f)).ok());
+    compare();
+    const auto settings = [this] {
+        const bool isWritten = m_journal->writer().wait(kPatience);
+        const Result<RecoveredJournal> read =
+            readJournal(QByteArray::fromStdString(readFile(m_journal->writer().path())));
+        return isWritten && read ? read.value().settings : std::size_t(0);
+    };
+    const std::size_t before = settings();
+    m_session->targets().add(std::vector<TargetPlan>(8, planPrimitive({PrimitiveKind::Cube, 3, 1.0f})));
+    QCOMPARE(settings(), before);
+    QTest::qWait(0);
+    QCOMPARE(settings(), before + 1);
+    compare();
+    QCOMPARE(settings(), before + 1);
 }
 
 void SessionJournalTest::endsInOrder() {
