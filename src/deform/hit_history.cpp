@@ -170,6 +170,51 @@ std::vector<HistoryEdit> HitHistory::move(std::span<const std::size_t> indices, 
     return edits;
 }
 
+std::vector<HistoryEdit> HitHistory::moveUp(std::span<const std::size_t> indices) {
+    std::vector<Carry> carried;
+    for (const Run& run : runsOf(rows(indices))) {
+        if (run.first > 0) {
+            carried.push_back({run.first - 1, run.first + run.count - 1});
+        }
+    }
+    return carry(carried);
+}
+
+std::vector<HistoryEdit> HitHistory::moveDown(std::span<const std::size_t> indices) {
+    std::vector<Carry> carried;
+    for (const Run& run : runsOf(rows(indices))) {
+        if (run.first + run.count < size()) {
+            carried.push_back({run.first + run.count, run.first});
+        }
+    }
+    return carry(carried);
+}
+
+/// Each within rows that no other one touches; ascending.
+std::vector<HistoryEdit> HitHistory::carry(std::span<const Carry> carried) {
+    std::vector<HistoryEdit> edits;
+    if (carried.size() <= kMostRuns) {
+        for (const Carry& one : carried) {
+            const Hit hit = m_hits[one.from];
+            edits.push_back(splice(one.from, 1, {}));
+            edits.push_back(splice(one.to, 0, {&hit, 1}));
+        }
+        return edits;
+    }
+    const std::size_t first = std::min(carried.front().from, carried.front().to);
+    const std::size_t last = std::max(carried.back().from, carried.back().to) + 1;
+    std::vector<Hit> after(m_hits.begin() + static_cast<std::ptrdiff_t>(first),
+                           m_hits.begin() + static_cast<std::ptrdiff_t>(last));
+    for (const Carry& one : carried) {
+        const auto low = after.begin() + static_cast<std::ptrdiff_t>(std::min(one.from, one.to) - first);
+        const auto high = after.begin() + static_cast<std::ptrdiff_t>(std::max(one.from, one.to) - first);
+        std::rotate(low, one.from < one.to ? low + 1 : high, high + 1);
+    }
+    edits.push_back(splice(first, last - first, after));
+    std::erase_if(edits, isNothing);
+    return edits;
+}
+
 std::vector<HistoryEdit> HitHistory::replace(std::span<const std::size_t> rows, std::span<const Hit> hits) {
     const std::vector<Run> runs = runsOf(rows);
     std::vector<HistoryEdit> edits;

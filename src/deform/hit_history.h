@@ -57,6 +57,10 @@ public:
     /// The hits (indices in any order) come to stand together, in their order, before the hit that is at `to`
     /// now, or at the end: to <= size(), else nothing moves.
     std::vector<HistoryEdit> move(std::span<const std::size_t> indices, std::size_t to);
+    /// Each of the hits (indices in any order) goes past the one before it that is not among them, so that
+    /// neighbours stay together; those that have none before them stay.
+    std::vector<HistoryEdit> moveUp(std::span<const std::size_t> indices);
+    std::vector<HistoryEdit> moveDown(std::span<const std::size_t> indices);  ///< likewise, the one after it
     /// Puts hits[i] at rows[i]. `rows` ascend and are < size(), each once; `hits` are as many and have passed
     /// checkedHit().
     std::vector<HistoryEdit> replace(std::span<const std::size_t> rows, std::span<const Hit> hits);
@@ -68,8 +72,14 @@ public:
     void redo(const HistoryEdit& edit);
 
 private:
+    /// The hit at `from` is to be at `to`.
+    struct Carry {
+        std::size_t from = 0;
+        std::size_t to = 0;
+    };
     void record(HistoryEdit edit);
     std::vector<HistoryEdit> removeRows(std::span<const std::size_t> sorted);
+    std::vector<HistoryEdit> carry(std::span<const Carry> carried);
 
     std::vector<Hit> m_hits;
     std::uint64_t m_revision = 0;

@@ -186,6 +186,18 @@ void SessionHits::move(std::span<const std::size_t> indices, std::size_t to) {
     }
 }
 
+void SessionHits::moveUp(std::span<const std::size_t> indices) {
+    if (std::vector<HistoryEdit> edits = m_history.moveUp(indices); !edits.empty()) {
+        record(std::move(edits), nameOf(SessionUndo::Kind::Move, m_history.rows(indices)));
+    }
+}
+
+void SessionHits::moveDown(std::span<const std::size_t> indices) {
+    if (std::vector<HistoryEdit> edits = m_history.moveDown(indices); !edits.empty()) {
+        record(std::move(edits), nameOf(SessionUndo::Kind::Move, m_history.rows(indices)));
+    }
+}
+
 void SessionHits::remove(std::span<const std::size_t> indices) {
     const std::vector<std::size_t> rows = m_history.rows(indices);
     if (!rows.empty()) {

@@ -48,6 +48,9 @@ public:
     void enableAll();
     /// The hits come to stand together, in their order, before the hit that is now at `to` (<= size()).
     void move(std::span<const std::size_t> indices, std::size_t to);
+    /// Each goes past the hit before it that is not among them; those at the top stay.
+    void moveUp(std::span<const std::size_t> indices);
+    void moveDown(std::span<const std::size_t> indices);  ///< likewise, the hit after it
     void remove(std::span<const std::size_t> indices);
     void remove(std::size_t index) { remove(std::span<const std::size_t>(&index, 1)); }
     void clear();

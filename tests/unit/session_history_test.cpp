@@ -123,6 +123,48 @@ private Q_SLOTS:
         }
     }
 
+    void movesByOne_data() {
+        QTest::addColumn<Rows>("rows");
+        QTest::addColumn<std::vector<int>>("up");
+        QTest::addColumn<std::vector<int>>("down");
+        const auto row = [](const char* name, Rows rows, std::vector<int> up, std::vector<int> down) {
+            QTest::newRow(name) << rows << up << down;
+        };
+        row("one", {3}, {0, 1, 3, 2, 4, 5}, {0, 1, 2, 4, 3, 5});
+        row("a block", {2, 3}, {0, 2, 3, 1, 4, 5}, {0, 1, 4, 2, 3, 5});
+        row("apart", {3, 1}, {1, 0, 3, 2, 4, 5}, {0, 2, 1, 4, 3, 5});
+        row("one at the top", {0, 2}, {0, 2, 1, 3, 4, 5}, {1, 0, 3, 2, 4, 5});
+        row("one at the end", {3, 5}, {0, 1, 3, 2, 5, 4}, {0, 1, 2, 4, 3, 5});
+        row("blocks at both ends", {0, 1, 4, 5}, {0, 1, 2, 4, 5, 3}, {2, 0, 1, 3, 4, 5});
+        row("all", {0, 1, 2, 3, 4, 5}, upTo(6), upTo(6));
+        row("none", {}, upTo(6), upTo(6));
+    }
+    void movesByOne() {
+        QFETCH(Rows, rows);
+        QFETCH(std::vector<int>, up);
+        QFETCH(std::vector<int>, down);
+        Session& session = *m_session;
+        const std::size_t steps = session.steps().size();
+        const auto check = [&](const std::vector<int>& after) {
+            QCOMPARE(state(session), after);
+            QCOMPARE(session.steps().size(), steps + (after == upTo(6) ? 0 : 1));
+            if (after != upTo(6)) {
+                session.undo();
+                QCOMPARE(state(session), upTo(6));
+                session.redo();
+                QCOMPARE(state(session), after);
+                session.undo();
+            }
+        };
+        session.hits().select(3);
+        session.hits().moveUp(rows);
+        QCOMPARE(session.hits().selected(),
+                 std::optional(static_cast<std::size_t>(std::ranges::find(up, 3) - up.begin())));
+        check(up);
+        session.hits().moveDown(rows);
+        check(down);
+    }
+
     void removesManyAtOnce() {
         Session& session = *m_session;
         session.hits().remove(Rows{0, 5, 2, 3});
@@ -152,6 +194,21 @@ private Q_SLOTS:
         QCOMPARE(state(session), upTo(500));
         session.hits().remove(even);
         QCOMPARE(state(session), odd);
+        session.undo();
+        QCOMPARE(state(session), upTo(500));
+        std::vector<int> swapped = upTo(500);
+        for (std::size_t i = 0; i < 500; i += 2) {
+            std::swap(swapped[i], swapped[i + 1]);
+        }
+        session.hits().moveDown(even);
+        QCOMPARE(state(session), swapped);
+        session.undo();
+        Rows uneven;
+        for (const std::size_t row : even) {
+            uneven.push_back(row + 1);
+        }
+        session.hits().moveUp(uneven);
+        QCOMPARE(state(session), swapped);
         session.undo();
         QCOMPARE(state(session), upTo(500));
     }

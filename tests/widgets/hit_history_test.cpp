@@ -52,6 +52,7 @@ private Q_SLOTS:
     void keysMoveTheSelection();
     void deleteIsOneStep();
     void contextMenuActs();
+    void keysMoveRowsThatStandApart();
     void rowsAreDragged();
     void severalRowsAreDragged();
     void selectionAndPlaceSurviveChanges();
@@ -155,6 +156,20 @@ void HitHistoryTest::keysMoveTheSelection() {
 void HitHistoryTest::deleteIsOneStep() {
     QTest::mouseClick(m_table->viewport(), Qt::LeftButton, {}, row(1).center());
     QTest::mouseClick(m_table->viewport(), Qt::LeftButton, Qt::ControlModifier, row(4).center());
+void HitHistoryTest::keysMoveRowsThatStandApart() {
+    QTest::mouseClick(m_table->viewport(), Qt::LeftButton, {}, row(1).center());
+    QTest::mouseClick(m_table->viewport(), Qt::LeftButton, Qt::ControlModifier, row(3).center());
+    QTest::keyClick(m_table, Qt::Key_Up, Qt::AltModifier);
+    QCOMPARE(order(*m_session), (std::vector<int>{1, 0, 3, 2, 4, 5}));
+    QCOMPARE(selected(), (std::vector<int>{0, 2}));
+    QTest::keyClick(m_table, Qt::Key_Up, Qt::AltModifier);  // one is on top
+    QCOMPARE(order(*m_session), (std::vector<int>{1, 3, 0, 2, 4, 5}));
+    QCOMPARE(selected(), (std::vector<int>{0, 1}));
+    m_session->undo();
+    QTest::keyClick(m_table, Qt::Key_Down, Qt::AltModifier);
+    QCOMPARE(order(*m_session), (std::vector<int>{0, 1, 2, 3, 4, 5}));
+}
+
     QTest::keyClick(m_table, Qt::Key_Delete);
     QCOMPARE(order(*m_session), (std::vector<int>{0, 2, 3, 5}));
     QVERIFY(!m_session->hits().selected());

@@ -198,21 +198,12 @@ void HitHistoryPanel::toggleSelected() {
 }
 
 void HitHistoryPanel::moveSelectedUp() {
-    const std::vector<std::size_t> rows = selectedRows();
-    if (!rows.empty() && rows.front() > 0) {
-        moveSelected(rows.front() - 1);
-    }
+    m_session.hits().moveUp(selectedRows());
+    m_ui->table->scrollTo(m_ui->table->currentIndex());
 }
 
 void HitHistoryPanel::moveSelectedDown() {
-    const std::vector<std::size_t> rows = selectedRows();
-    if (!rows.empty() && rows.back() + 1 < m_session.hits().history().size()) {
-        moveSelected(rows.back() + 2);
-    }
-}
-
-void HitHistoryPanel::moveSelected(std::size_t to) {
-    m_session.hits().move(selectedRows(), to);
+    m_session.hits().moveDown(selectedRows());
     m_ui->table->scrollTo(m_ui->table->currentIndex());
 }
 

@@ -56,7 +56,6 @@ private:
     void toggleSelected();
     void moveSelectedUp();
     void moveSelectedDown();
-    void moveSelected(std::size_t to);
     void removeSelected();
     void copySelected();
     void flyToCurrent();
