@@ -21,6 +21,7 @@ struct Words {
     SessionUndo::Kind kind;
     const char* one;
     const char* many;  ///< null: nothing is counted
+    UndoPart part = UndoPart::None;
 };
 
 #define TEXT(words) QT_TRANSLATE_NOOP("hitscope::UndoText", words)
@@ -32,6 +33,17 @@ constexpr Words kWords[] = {
     {SessionUndo::Kind::Enable, TEXT("Enable Hit"), TEXT("Enable %Ln Hits")},
     {SessionUndo::Kind::Disable, TEXT("Disable Hit"), TEXT("Disable %Ln Hits")},
     {SessionUndo::Kind::EditHit, TEXT("Edit Hit"), TEXT("Edit %Ln Hits")},
+    {SessionUndo::Kind::EditHit, TEXT("Max Distance of Hit"), TEXT("Max Distance of %Ln Hits"),
+     UndoPart::MaxDistance},
+    {SessionUndo::Kind::EditHit, TEXT("Power of Hit"), TEXT("Power of %Ln Hits"), UndoPart::Power},
+    {SessionUndo::Kind::EditHit, TEXT("Max Magnitude of Hit"), TEXT("Max Magnitude of %Ln Hits"),
+     UndoPart::MaxMagnitude},
+    {SessionUndo::Kind::EditHit, TEXT("Press Radius of Hit"), TEXT("Press Radius of %Ln Hits"),
+     UndoPart::PressRadius},
+    {SessionUndo::Kind::EditHit, TEXT("Fall-off of Hit"), TEXT("Fall-off of %Ln Hits"), UndoPart::Falloff},
+    {SessionUndo::Kind::EditHit, TEXT("Direction of Hit"), TEXT("Direction of %Ln Hits"),
+     UndoPart::Direction},
+    {SessionUndo::Kind::EditHit, TEXT("Point of Hit"), TEXT("Point of %Ln Hits"), UndoPart::Point},
     {SessionUndo::Kind::HitConstants, TEXT("Constants of Hit"), TEXT("Constants of %Ln Hits")},
     {SessionUndo::Kind::Mirror, TEXT("Mirror Hit"), TEXT("Mirror %Ln Hits")},
     {SessionUndo::Kind::Scatter, TEXT("Scatter Hit"), TEXT("Scatter %Ln Hits")},
@@ -58,11 +70,23 @@ constexpr Words kWords[] = {
     {SessionUndo::Kind::ResetTarget, TEXT("Reset Target"), TEXT("Reset %Ln Targets")},
     {SessionUndo::Kind::TargetPhysics, TEXT("Physics of Target"), TEXT("Physics of %Ln Targets")},
     {SessionUndo::Kind::Constants, TEXT("Constants for Next Hit"), nullptr},
+    {SessionUndo::Kind::Constants, TEXT("Max Distance for Next Hit"), nullptr, UndoPart::MaxDistance},
+    {SessionUndo::Kind::Constants, TEXT("Power for Next Hit"), nullptr, UndoPart::Power},
+    {SessionUndo::Kind::Constants, TEXT("Max Magnitude for Next Hit"), nullptr, UndoPart::MaxMagnitude},
+    {SessionUndo::Kind::Constants, TEXT("Fall-off for Next Hit"), nullptr, UndoPart::Falloff},
+    {SessionUndo::Kind::Constants, TEXT("Direction for Next Hit"), nullptr, UndoPart::Direction},
     {SessionUndo::Kind::Lights, TEXT("Lights"), nullptr},
     {SessionUndo::Kind::Projectile, TEXT("Projectile"), nullptr},
     {SessionUndo::Kind::FlightMode, TEXT("Flight"), nullptr},
     {SessionUndo::Kind::CoverTexture, TEXT("Texture on All Targets"), nullptr},
     {SessionUndo::Kind::CuttingPlane, TEXT("Cutting Plane"), nullptr},
+    {SessionUndo::Kind::CuttingPlane, TEXT("Cutting Plane On"), nullptr, UndoPart::CutOn},
+    {SessionUndo::Kind::CuttingPlane, TEXT("Cutting Plane Off"), nullptr, UndoPart::CutOff},
+    {SessionUndo::Kind::CuttingPlane, TEXT("Offset of Cutting Plane"), nullptr, UndoPart::CutOffset},
+    {SessionUndo::Kind::CuttingPlane, TEXT("Axis of Cutting Plane"), nullptr, UndoPart::CutAxis},
+    {SessionUndo::Kind::CuttingPlane, TEXT("Flip Cutting Plane"), nullptr, UndoPart::CutFlip},
+    {SessionUndo::Kind::CuttingPlane, TEXT("Fill of Cutting Plane"), nullptr, UndoPart::CutFill},
+    {SessionUndo::Kind::CuttingPlane, TEXT("Lines of Cutting Plane"), nullptr, UndoPart::CutLines},
     {SessionUndo::Kind::LoadScene, TEXT("Load Scene"), nullptr},
     {SessionUndo::Kind::PlaceMesh, TEXT("Place Mesh"), nullptr},
 };
@@ -71,8 +95,12 @@ constexpr Words kWords[] = {
 }  // namespace
 
 QString undoText(const SessionUndo::Name& name) {
-    const auto* words = std::find_if(std::begin(kWords), std::end(kWords),
-                                     [&name](const Words& row) { return row.kind == name.kind; });
+    const auto find = [&name](UndoPart part) {
+        return std::find_if(std::begin(kWords), std::end(kWords),
+                            [&](const Words& row) { return row.kind == name.kind && row.part == part; });
+    };
+    const auto* words = find(name.part);
+    words = words != std::end(kWords) ? words : find(UndoPart::None);
     if (words->many != nullptr && name.count != 1) {
         return translated(words->many, trCount(name.count));
     }

@@ -95,6 +95,22 @@ std::size_t bytesOf(const SessionUndo::Change& change) {
     return bytes + (change.scene ? bytesOf(change.scene->before) + bytesOf(change.scene->after) : 0);
 }
 
+UndoPart partChangedBy(const SessionUndo::Change& change) {
+    switch (change.name.kind) {
+        case SessionUndo::Kind::EditHit:
+            return changedPart(change.edits);
+        case SessionUndo::Kind::Constants:
+            return change.settings
+                       ? changedPart(change.settings->before.constants, change.settings->after.constants)
+                       : UndoPart::None;
+        case SessionUndo::Kind::CuttingPlane:
+            return change.settings ? changedPart(change.settings->before.cut, change.settings->after.cut)
+                                   : UndoPart::None;
+        default:
+            return UndoPart::None;
+    }
+}
+
 /// Hits were made, as many as the name says, and nothing else: the history itself holds them.
 bool onlyMadeHits(const SessionUndo::Change& change) {
     return change.edits.size() == 1 && change.edits[0].before.empty() &&
@@ -203,12 +219,14 @@ void SessionUndo::record(Change change) {
     if (comesToNothing(change, false)) {
         return;
     }
+    change.name.part = partChangedBy(change);
     std::vector<Step> undone = std::exchange(m_redo, {});
     m_bytes -= bytesOfAll(undone);
     const std::size_t before = canUndo() ? m_undo.back().bytes() : 0;
     if (absorb(change)) {
         Step& last = m_undo.back();
         last.name.hit = last.name.hit == change.name.hit ? last.name.hit : 0;
+        last.name.part = last.name.part == change.name.part ? last.name.part : UndoPart::None;
         m_bytes -= before;
         if (last.change && comesToNothing(*last.change, true)) {
             m_undo.pop_back();

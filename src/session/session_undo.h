@@ -16,6 +16,7 @@
 #include "session/constants_setting.h"
 #include "session/flight_mode.h"
 #include "session/target_state.h"
+#include "session/undo_part.h"
 #include "view/cutting_plane.h"
 #include "view/lights.h"
 
@@ -121,6 +122,7 @@ public:
         Kind kind = Kind::Hit;
         std::size_t count = 1;  ///< hits or targets that it is about
         std::size_t hit = 0;    ///< where it was about one hit: its number at that time, from 1; otherwise 0
+        UndoPart part = UndoPart::None;  ///< record() finds it
 
         bool operator==(const Name&) const = default;
     };

@@ -107,7 +107,8 @@ private Q_SLOTS:
         QCOMPARE(reachOf(1), 0.7f);
         QCOMPARE(reachOf(2), 0.5f);
         QCOMPARE(reachOf(3), 0.7f);
-        QCOMPARE(m_session->steps().toUndo(), (SessionUndo::Name{SessionUndo::Kind::EditHit, 3}));
+        QCOMPARE(m_session->steps().toUndo(),
+                 (SessionUndo::Name{SessionUndo::Kind::EditHit, 3, 0, UndoPart::MaxDistance}));
         m_session->undo();
         QCOMPARE(reachOf(0), 0.5f);
         QCOMPARE(reachOf(3), 0.5f);
@@ -138,7 +139,8 @@ private Q_SLOTS:
         m_editing->endGesture();
         QVERIFY(isSelected());
         QCOMPARE(m_session->hits().history().hits()[1].point.y, 0.5f);
-        QCOMPARE(m_session->steps().toUndo(), (SessionUndo::Name{SessionUndo::Kind::EditHit, 3}));
+        QCOMPARE(m_session->steps().toUndo(),
+                 (SessionUndo::Name{SessionUndo::Kind::EditHit, 3, 0, UndoPart::Point}));
         m_session->undo();
         QVERIFY(isSelected());
         QCOMPARE(m_session->hits().history().hits()[2].direction, glm::vec3(0.0f, 1.0f, 0.0f));

@@ -85,7 +85,8 @@ private Q_SLOTS:
         QVERIFY(viewport().syncNow().ok());
         QVERIFY(changed() > before);
         slider->setSliderDown(false);
-        QCOMPARE(m_session->steps().toUndo(), (SessionUndo::Name{SessionUndo::Kind::EditHit, 1, 2}));
+        QCOMPARE(m_session->steps().toUndo(),
+                 (SessionUndo::Name{SessionUndo::Kind::EditHit, 1, 2, UndoPart::MaxDistance}));
         m_session->undo();
         QCOMPARE(hit(1).constants.maxDistance, 0.5f);
         QCOMPARE(hit(0).constants.maxDistance, 0.5f);
