@@ -117,7 +117,7 @@ std::size_t DiscardGuard::hitsAtRisk() const {
     const std::vector<TargetId> targets = targetsAtRisk();
     const std::span<const Hit> hits = m_session.hits().history().hits();
     return static_cast<std::size_t>(std::count_if(hits.begin(), hits.end(), [&targets](const Hit& hit) {
-        return std::find(targets.begin(), targets.end(), hit.target) != targets.end();
+        return std::binary_search(targets.begin(), targets.end(), hit.target);  // in the order of a map
     }));
 }
 
@@ -240,12 +240,14 @@ bool DiscardGuard::askAndWait() {
     return goesOn;
 }
 
-void DiscardGuard::exportBegins(const Target& target, const QString& path) {
+/// Costs all hits and steps once, however many targets there are.
+void DiscardGuard::exportBegins(const std::vector<const Target*>& targets, const QString& path) {
     const std::map<TargetId, State> shown = states(m_session.hits().shown());
-    const auto state = shown.find(target.id);
-    m_writing.emplace(
-        path, Writing{target.id,
-                      {state != shown.end() ? state->second : kStart, workOnTargets(m_session.steps())}});
+    const std::uint64_t work = workOnTargets(m_session.steps());
+    for (const Target* target : targets) {
+        const auto state = shown.find(target->id);
+        m_writing.emplace(path, Writing{target->id, {state != shown.end() ? state->second : kStart, work}});
+    }
 }
 
 void DiscardGuard::exportEnds(const QString& path, bool isWritten) {

@@ -56,8 +56,8 @@ public:
         }
     }
 
-    /// To be told of every export of a target as it is shown now, and of its end.
-    void exportBegins(const Target& target, const QString& path);
+    /// To be told of every export of targets as they are shown now, and of its end.
+    void exportBegins(const std::vector<const Target*>& targets, const QString& path);
     void exportEnds(const QString& path, bool isWritten);
     /// The same for files of all hits.
     void hitsExportBegins() { m_writingHits = stateOfAll(); }

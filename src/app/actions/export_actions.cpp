@@ -225,9 +225,7 @@ void ExportActions::tellBegin(const std::vector<const Target*>& targets, const Q
     if (format == ExportFormat::Csv) {
         return;  // hits that only a table shows are lost with the session
     }
-    for (const Target* target : targets) {
-        Q_EMIT began(*target, path);
-    }
+    Q_EMIT began(targets, path);
 }
 
 void ExportActions::beginOf(const std::vector<const Target*>& targets, const QString& path,

@@ -52,7 +52,7 @@ Q_SIGNALS:
     void said(const QString& text);
     void noticeWanted(const QString& text);  ///< what the file does not hold
     void failed(const hitscope::Error& error);
-    void began(const hitscope::Target& target, const QString& path);
+    void began(const std::vector<const hitscope::Target*>& targets, const QString& path);
     void writing(const QString& path);  ///< from now on; ended() follows
     void ended(const QString& path, bool isWritten);
 
