@@ -19,6 +19,7 @@ private Q_SLOTS:
     void stepsInOneFieldAreOneStep();
     void anglesStayAsTyped();
     void severalMoveAndTurnTogether();
+    void saysWhosePlaceIsShown();
     void severalGetOnePhysics();
     void aMassIsTypedWhileItsTargetMoves();
     void severalAreSelectedOutside();
@@ -89,6 +90,25 @@ void SceneFieldsTest::severalMoveAndTurnTogether() {
     QTest::keyClick(m_table, Qt::Key_D, Qt::ControlModifier);
     QCOMPARE(m_session->targets().size(), std::size_t{18});
     QCOMPARE(m_session->targets().allSelected(), (std::vector{id(16), id(17)}));
+}
+
+void SceneFieldsTest::saysWhosePlaceIsShown() {
+    const auto& whose = child<QLabel>("whose");
+    const auto name = [this](std::size_t target) { return m_session->targets()[target]->name; };
+    click(1);
+    QVERIFY(!whose.isVisible());
+    click(2, SceneModel::NameColumn, Qt::ControlModifier);
+    QVERIFY(whose.isVisible());
+    QVERIFY2(whose.text().contains(name(2)) && whose.text().contains(QStringLiteral("all 2")),
+             qPrintable(whose.text()));
+    click(3, SceneModel::NameColumn, Qt::ControlModifier);
+    QVERIFY(whose.text().contains(name(3)) && whose.text().contains(QStringLiteral("all 3")));
+    QVERIFY(m_session->targets().rename(id(3), QString(200, QLatin1Char('W'))).ok());
+    QCoreApplication::processEvents();
+    QVERIFY(whose.heightForWidth(whose.width()) <= whose.height());
+    QVERIFY(m_panel->width() <= 350);
+    click(0);
+    QVERIFY(!whose.isVisible());
 }
 
 void SceneFieldsTest::severalGetOnePhysics() {

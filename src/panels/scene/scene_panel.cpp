@@ -41,7 +41,7 @@ ScenePanel::ScenePanel(Session& session, SceneModel& model, QWidget* parent)
     new TransformFields(session,
                         {{m_ui->positionX, m_ui->positionY, m_ui->positionZ},
                          {m_ui->rotationX, m_ui->rotationY, m_ui->rotationZ}},
-                        this);
+                        *m_ui->whose, this);
     new PhysicsFields(session, *m_ui->dynamic, {m_ui->mass, m_ui->friction, m_ui->restitution},
                       *m_ui->trouble, this);
     const QItemSelectionModel* selection = m_ui->table->selectionModel();

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/scene/transform_fields.h"
 
+#include <QLabel>
+
+#include "models/quantity_text.h"
 #include "models/rotation_angles.h"
 #include "panels/fields/number_box.h"
 #include "panels/help/help_text.h"
@@ -12,12 +15,13 @@ namespace {
 constexpr double kFarthest = 1.0e7;  // metres
 constexpr double kTurns = 3600.0;    // degrees
 constexpr int kAxes = 3;
+constexpr int kNameLetters = 24;
 constexpr int kNarrowestTransform = 64;  // pixels; what the range would want is far wider
 
 }  // namespace
 
-TransformFields::TransformFields(Session& session, const Boxes& boxes, QObject* parent)
-    : QObject(parent), m_session(session), m_boxes(boxes) {
+TransformFields::TransformFields(Session& session, const Boxes& boxes, QLabel& whose, QObject* parent)
+    : QObject(parent), m_session(session), m_boxes(boxes), m_whose(whose) {
     for (int axis = 0; axis < kAxes; ++axis) {
         NumberBox& position = *m_boxes.position[static_cast<std::size_t>(axis)];
         position.setRange(-kFarthest, kFarthest);
@@ -63,6 +67,20 @@ void TransformFields::show() {
         enableIf(rotation, target != nullptr, QObject::tr("Select a target first."));
         rotation.showNumber(m_angles[axis]);
     }
+    showWhose(target);
+}
+
+/// Of one target there is no doubt.
+void TransformFields::showWhose(const Target* target) {
+    const std::size_t selected = m_session.targets().allSelected().size();
+    if (target != nullptr && selected > 1) {
+        const QFontMetrics metrics = m_whose.fontMetrics();
+        m_whose.setText(QObject::tr("Position and rotation of “%1”; a change moves all %2")
+                            .arg(metrics.elidedText(target->name, Qt::ElideMiddle,
+                                                    kNameLetters * metrics.averageCharWidth()),
+                                 countText(selected)));
+    }
+    m_whose.setVisible(target != nullptr && selected > 1);
 }
 
 void TransformFields::apply(int field, double value) {
