@@ -60,19 +60,24 @@ std::vector<std::size_t> SessionTargets::indicesOf(std::span<const TargetId> ids
     return indices;
 }
 
-std::set<QString> SessionTargets::names() const {
-    std::set<QString> names;
+SessionTargets::Names SessionTargets::names() const {
+    Names names;
     for (const std::unique_ptr<Target>& target : m_targets) {
-        names.insert(target->name);
+        names.taken.insert(target->name);
     }
     return names;
 }
 
-QString SessionTargets::freeName(const QString& wanted, std::set<QString>& taken) {
-    QString name = wanted;
-    for (int number = 2; !taken.insert(name).second; ++number) {
-        name = QStringLiteral("%1 %2").arg(stem(wanted), QString::number(number));
+QString SessionTargets::freeName(const QString& wanted, Names& names) {
+    if (names.taken.insert(wanted).second) {
+        return wanted;
     }
+    const QString first = stem(wanted);
+    int& number = names.next.try_emplace(first, 2).first->second;
+    QString name;
+    do {
+        name = QStringLiteral("%1 %2").arg(first, QString::number(number++));
+    } while (!names.taken.insert(name).second);
     return name;
 }
 
@@ -235,7 +240,7 @@ void SessionTargets::add(std::vector<TargetPlan> plans) {
         }
     }
     makeRoom(plans, boundsOf(m_targets), m_floorHeight);
-    std::set<QString> takenNames = names();
+    Names takenNames = names();
     std::vector<TargetEdit> edits;
     for (TargetPlan& plan : plans) {
         plan.name = freeName(plan.name, takenNames);
@@ -250,7 +255,7 @@ void SessionTargets::putUnder(TargetId above, const RigidTransform& raised, Targ
     if (at.empty()) {
         return;
     }
-    std::set<QString> takenNames = names();
+    Names takenNames = names();
     plan.name = freeName(plan.name, takenNames);
     const TargetState before = *m_targets[at.front()];
     TargetState after = before;
@@ -263,7 +268,7 @@ void SessionTargets::putUnder(TargetId above, const RigidTransform& raised, Targ
 
 void SessionTargets::duplicate(std::span<const TargetId> ids) {
     std::vector<Bounds> taken = boundsOf(m_targets);
-    std::set<QString> takenNames = names();
+    Names takenNames = names();
     std::vector<TargetEdit> edits;
     std::vector<Hit> hits;
     for (const std::size_t index : indicesOf(ids)) {

@@ -120,9 +120,14 @@ private:
     void erase(std::size_t index);
     [[nodiscard]] std::optional<std::size_t> indexOf(TargetId id) const;
     [[nodiscard]] std::vector<std::size_t> indicesOf(std::span<const TargetId> ids) const;
-    [[nodiscard]] std::set<QString> names() const;
-    /// `wanted`, with a number where it is one of `taken`; adds it to them.
-    static QString freeName(const QString& wanted, std::set<QString>& taken);
+    /// The names that are taken while targets are made.
+    struct Names {
+        std::set<QString> taken;
+        std::map<QString, int> next;  ///< by stem: all numbers from 2 to below it are taken
+    };
+    [[nodiscard]] Names names() const;
+    /// `wanted`, with a number where it is taken; from now on it is.
+    static QString freeName(const QString& wanted, Names& names);
     void change(const SessionUndo::Change& change);
     void change(std::vector<TargetEdit> targets, SessionUndo::Name name, std::vector<HistoryEdit> edits = {},
                 SessionUndo::Merge merge = SessionUndo::Merge::Never);

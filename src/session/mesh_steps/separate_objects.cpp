@@ -171,7 +171,7 @@ std::vector<TargetId> SessionTargets::replaceByParts(TargetId id, std::vector<Ta
     if (!index) {
         return {};
     }
-    std::set<QString> taken = names();
+    Names taken = names();
     std::vector<TargetId> ids;
     std::vector<TargetEdit> edits;
     for (TargetState& part : parts) {
