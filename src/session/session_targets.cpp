@@ -196,6 +196,8 @@ void SessionTargets::follow(const TargetEdit& edit) {
     static_cast<TargetState&>(target) = *edit.after;
     target.deformed.setMaterialsFrom(target.shape.mesh);
     const bool moves = edit.before->transform.position != target.transform.position ||
+    const bool isRenamed = edit.after->name != target.name;
+    const bool isTextured = edit.after->shape.mesh != target.shape.mesh;
                        edit.before->transform.rotation != target.transform.rotation;
     if (moves || edit.before->visible != target.visible || edit.before->physics != target.physics) {
         m_session.m_simulation.letCollide(target);
@@ -207,6 +209,12 @@ void SessionTargets::follow(const TargetEdit& edit) {
 }
 
 void SessionTargets::moveTo(TargetId id, const RigidTransform& transform) {
+    if (isRenamed) {
+        Q_EMIT renamed(id);
+    }
+    if (isTextured) {
+        Q_EMIT textured(id);
+    }
     Target& moved = *m_targets[*indexOf(id)];
     if (moved.transform.position != transform.position || moved.transform.rotation != transform.rotation) {
         moved.transform = transform;

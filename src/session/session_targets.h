@@ -99,6 +99,8 @@ Q_SIGNALS:
     void added(hitscope::TargetId target);
     void removed(hitscope::TargetId target);          ///< its hits went before it
     void changed(hitscope::TargetId target);          ///< name, transform or visibility
+    void renamed(hitscope::TargetId target);          ///< after changed(), which motion causes in every frame
+    void textured(hitscope::TargetId target);         ///< likewise: its mesh has other pictures
     void scaled(hitscope::TargetId target);           ///< it was added in place of the one of another size
     void selectedChanged(hitscope::TargetId target);  ///< or which ones are selected beside it
 

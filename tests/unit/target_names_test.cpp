@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The names that targets get.
+// The names that targets get, and who is told of one.
+#include <QSignalSpy>
 #include <QTest>
 #include <array>
 
@@ -50,6 +51,27 @@ private Q_SLOTS:
         QCOMPARE(names(*m_session),
                  (QStringList{QStringLiteral("Left"), QStringLiteral("Left 2"), QStringLiteral("Left 4"),
                               QStringLiteral("Left 9"), QStringLiteral("Left 3"), QStringLiteral("Left 5")}));
+    }
+
+    /// changed() comes in every frame for those that move.
+    void tellsNamesFromPlaces() {
+        const QSignalSpy changed(&m_session->targets(), &SessionTargets::changed);
+        const QSignalSpy renamed(&m_session->targets(), &SessionTargets::renamed);
+        const QSignalSpy textured(&m_session->targets(), &SessionTargets::textured);
+        const TargetId left = id(0);
+        QVERIFY(m_session->targets().setTransform(left, {{1.0f, 2.0f, 3.0f}}).ok());
+        m_session->targets().setVisible({&left, 1}, false);
+        QCOMPARE(changed.size(), 2);
+        QCOMPARE(renamed.size() + textured.size(), 0);
+        QVERIFY(m_session->targets().rename(left, QStringLiteral("Other")).ok());
+        m_session->undo();
+        QCOMPARE(changed.size(), 4);
+        QCOMPARE(renamed.size(), 2);
+        m_session->targets().setTexture(
+            {&left, 1}, std::make_shared<MeshData>(*m_session->targets().find(left)->shape.mesh), {});
+        m_session->undo();
+        QCOMPARE(renamed.size(), 2);
+        QCOMPARE(textured.size(), 2);
     }
 
 private:

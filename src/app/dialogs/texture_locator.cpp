@@ -7,6 +7,8 @@
 #include <QFileInfo>
 #include <QMenu>
 #include <algorithm>
+#include <unordered_map>
+#include <unordered_set>
 
 #include "io/file_scope.h"
 #include "io/read_picture.h"
@@ -28,10 +30,10 @@ QString fileNameOf(const std::string& name) {
 
 TextureLocator::TextureLocator(Session& session, QWidget* parent)
     : QObject(parent), m_session(session), m_parent(parent) {
-    for (const auto signal : {&SessionTargets::added, &SessionTargets::removed, &SessionTargets::changed}) {
-        connect(&session.targets(), signal, this, &TextureLocator::follow);
+    for (const auto signal : {&SessionTargets::added, &SessionTargets::removed, &SessionTargets::textured}) {
+        connect(&session.targets(), signal, this, [this] { m_following.want(); });
     }
-    connect(&session, &Session::sceneReplaced, this, &TextureLocator::follow);
+    connect(&session, &Session::sceneReplaced, this, [this] { m_following.now(); });
 }
 
 void TextureLocator::fill(QMenu& menu) {
@@ -47,25 +49,32 @@ void TextureLocator::follow() {
 }
 
 std::vector<TextureLocator::Missing> TextureLocator::missing() const {
-    std::vector<Missing> found;
-    std::vector<const MeshData*> seen;
+    std::vector<const Target*> firsts;  // of each mesh
+    std::unordered_map<const MeshData*, std::vector<TargetId>> ofMesh;
     for (const std::unique_ptr<Target>& target : m_session.targets()) {
+        std::vector<TargetId>& same = ofMesh[target->shape.mesh.get()];
+        if (same.empty()) {
+            firsts.push_back(target.get());
+        }
+        same.push_back(target->id);
+    }
+    std::vector<Missing> found;
+    for (const Target* target : firsts) {
         const MeshData* mesh = target->shape.mesh.get();
-        if (std::find(seen.begin(), seen.end(), mesh) != seen.end()) {
-            continue;
-        }
-        seen.push_back(mesh);
-        std::vector<TargetId> same;
-        for (const std::unique_ptr<Target>& other : m_session.targets()) {
-            if (other->shape.mesh.get() == mesh) {
-                same.push_back(other->id);
-            }
-        }
         for (const std::string& name : missingTextures(*mesh)) {
-            found.push_back({same, target->sourcePath, name});
+            found.push_back({ofMesh[mesh], target->sourcePath, name});
         }
     }
     return found;
+}
+
+bool TextureLocator::isAnyMissing() const {
+    std::unordered_set<const MeshData*> seen;
+    return std::any_of(m_session.targets().begin(), m_session.targets().end(),
+                       [&seen](const std::unique_ptr<Target>& target) {
+                           const MeshData* mesh = target->shape.mesh.get();
+                           return seen.insert(mesh).second && !missingTextures(*mesh).empty();
+                       });
 }
 
 void TextureLocator::locate() {

@@ -9,6 +9,7 @@
 
 #include "core/ids.h"
 #include "core/result.h"
+#include "session/once_a_turn.h"
 
 class QAction;
 class QMenu;
@@ -27,7 +28,7 @@ public:
     TextureLocator(Session& session, QWidget* parent);
 
     void fill(QMenu& menu);
-    [[nodiscard]] bool isAnyMissing() const { return !missing().empty(); }
+    [[nodiscard]] bool isAnyMissing() const;
     /// Asks for the first that is missing.
     void locate();
     /// Uses the picture at `path` for the missing one of its name, or the first, and its neighbours for the
@@ -55,6 +56,7 @@ private:
     QAction* m_action = nullptr;
     QString m_folder;
     std::map<std::pair<QString, std::string>, QString> m_located;  ///< by mesh file and name
+    OnceATurn m_following{[this] { follow(); }};
 };
 
 }  // namespace hitscope
