@@ -2,9 +2,11 @@
 // The hit history's panel under real mouse and keys.
 #include <QAction>
 #include <QApplication>
+#include <QComboBox>
 #include <QLabel>
 #include <QMenu>
 #include <QScrollBar>
+#include <QSignalSpy>
 #include <QStyle>
 #include <QStyleOptionViewItem>
 #include <QTableView>
@@ -50,13 +52,14 @@ private Q_SLOTS:
     void checkBoxByMouse();
     void spaceTogglesTheSelection();
     void keysMoveTheSelection();
+    void keysMoveRowsThatStandApart();
     void deleteIsOneStep();
     void contextMenuActs();
-    void keysMoveRowsThatStandApart();
     void rowsAreDragged();
     void severalRowsAreDragged();
     void selectionAndPlaceSurviveChanges();
     void selectsAllOnTheTarget();
+    void filterListsManyTargetsAtOnce();
     void summaryAndMeter();
     void hitsThatDoNothingAreGrey();
     void manyRowsAreHandledAtOnce();
@@ -153,9 +156,6 @@ void HitHistoryTest::keysMoveTheSelection() {
     QCOMPARE(selected(), (std::vector<int>{4, 5}));
 }
 
-void HitHistoryTest::deleteIsOneStep() {
-    QTest::mouseClick(m_table->viewport(), Qt::LeftButton, {}, row(1).center());
-    QTest::mouseClick(m_table->viewport(), Qt::LeftButton, Qt::ControlModifier, row(4).center());
 void HitHistoryTest::keysMoveRowsThatStandApart() {
     QTest::mouseClick(m_table->viewport(), Qt::LeftButton, {}, row(1).center());
     QTest::mouseClick(m_table->viewport(), Qt::LeftButton, Qt::ControlModifier, row(3).center());
@@ -170,6 +170,9 @@ void HitHistoryTest::keysMoveRowsThatStandApart() {
     QCOMPARE(order(*m_session), (std::vector<int>{0, 1, 2, 3, 4, 5}));
 }
 
+void HitHistoryTest::deleteIsOneStep() {
+    QTest::mouseClick(m_table->viewport(), Qt::LeftButton, {}, row(1).center());
+    QTest::mouseClick(m_table->viewport(), Qt::LeftButton, Qt::ControlModifier, row(4).center());
     QTest::keyClick(m_table, Qt::Key_Delete);
     QCOMPARE(order(*m_session), (std::vector<int>{0, 2, 3, 5}));
     QVERIFY(!m_session->hits().selected());
@@ -277,6 +280,26 @@ void HitHistoryTest::selectsAllOnTheTarget() {
     m_table->selectRow(1);
     action(QStringLiteral("Select All on This Target"))->trigger();
     QCOMPARE(selected(), (std::vector<int>{1, 5}));
+}
+
+void HitHistoryTest::filterListsManyTargetsAtOnce() {
+    QTest::keyClick(m_table, Qt::Key_F, Qt::ControlModifier);
+    auto* box = m_panel->findChild<QComboBox*>(QStringLiteral("filterTarget"));
+    std::vector<TargetId> all;
+    for (const std::unique_ptr<Target>& target : m_session->targets()) {
+        all.push_back(target->id);
+    }
+    box->setCurrentIndex(3);
+    QCOMPARE(m_table->model()->rowCount(), 1);
+    QCoreApplication::processEvents();
+    const QSignalSpy filled(box->model(), &QAbstractItemModel::rowsAboutToBeRemoved);
+    m_session->targets().duplicate(all);
+    QTRY_COMPARE_WITH_TIMEOUT(box->count(), 33, kPatience);
+    QVERIFY2(filled.size() <= 2, qPrintable(QString::number(filled.size())));
+    QCOMPARE(box->currentData().toUInt(), all[2].value);
+    m_session->targets().remove({&all[2], 1});
+    QTRY_COMPARE_WITH_TIMEOUT(box->currentIndex(), 0, kPatience);
+    QCOMPARE(box->count(), 32);
 }
 
 void HitHistoryTest::summaryAndMeter() {

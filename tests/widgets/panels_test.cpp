@@ -54,6 +54,7 @@ private Q_SLOTS:
     void lightsSwitchAndTint();
     void lightsCanBeUndone();
     void statisticsChooseTheTarget();
+    void statisticsListManyTargetsAtOnce();
     void iconsAreDrawnInThePalette();
 };
 
@@ -308,6 +309,38 @@ void PanelsTest::statisticsChooseTheTarget() {
     auto* numbers = panel.findChild<QTreeView*>(QStringLiteral("numbers"));
     QVERIFY(numbers->isFirstColumnSpanned(0, {}));
     QVERIFY(numbers->isExpanded(model.index(0, 0)));
+}
+
+void PanelsTest::statisticsListManyTargetsAtOnce() {
+    Session session;
+    loadPaperRow(session, kDefaultPaperRow);
+    MeshStatisticsModel model(session);
+    MeshStatisticsPanel panel(session, model);
+    const auto* box = panel.findChild<QComboBox*>(QStringLiteral("target"));
+    QCoreApplication::processEvents();
+    std::vector<TargetId> all;
+    for (const std::unique_ptr<Target>& target : session.targets()) {
+        all.push_back(target->id);
+    }
+    const QSignalSpy filled(box->model(), &QAbstractItemModel::rowsAboutToBeRemoved);
+    session.targets().duplicate(all);
+    session.undo();
+    session.redo();
+    QTRY_COMPARE_WITH_TIMEOUT(box->count(), 34, kPatience);
+    QCOMPARE(box->currentData().toUInt(), session.targets().selected().value);
+    QVERIFY2(filled.size() <= 2, qPrintable(QString::number(filled.size())));
+    // One is listed at once.
+    QCoreApplication::processEvents();
+    session.targets().remove({&all[3], 1});
+    QCOMPARE(box->count(), 33);
+    QVERIFY(session.targets().rename(all[1], QStringLiteral("Other")).ok());
+    QTRY_COMPARE_WITH_TIMEOUT(box->itemText(1), QStringLiteral("Other"), kPatience);
+    // What only moves is called as before.
+    QCoreApplication::processEvents();
+    const auto before = filled.size();
+    QVERIFY(session.targets().setTransform(all[1], {{1.0f, 2.0f, 3.0f}}).ok());
+    QCoreApplication::processEvents();
+    QCOMPARE(filled.size(), before);
 }
 
 void PanelsTest::iconsAreDrawnInThePalette() {

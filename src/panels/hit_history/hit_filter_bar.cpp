@@ -39,38 +39,25 @@ HitFilterBar::HitFilterBar(Session& session, HitList& list, QWidget* parent)
     m_target->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_enabled->setObjectName(QStringLiteral("filterEnabled"));
     m_enabled->setToolTip(tr("Leave out hits that are disabled"));
-    for (const auto signal : {&SessionTargets::added, &SessionTargets::removed, &SessionTargets::changed}) {
-        connect(&session.targets(), signal, this, &HitFilterBar::followTargets);
+    for (const auto signal : {&SessionTargets::added, &SessionTargets::removed, &SessionTargets::renamed}) {
+        connect(&session.targets(), signal, this, [this] { m_listing.want(); });
     }
-    connect(&session, &Session::sceneReplaced, this, &HitFilterBar::followTargets);
+    connect(&session, &Session::sceneReplaced, this, [this] { m_listing.now(); });
     connect(m_text, &QLineEdit::textChanged, this, &HitFilterBar::apply);
     connect(m_target, &QComboBox::currentIndexChanged, this, &HitFilterBar::apply);
     connect(m_enabled, &QCheckBox::toggled, this, &HitFilterBar::apply);
-    followTargets();
+    m_listing.now();
     hide();
 }
 
-/// Names change while targets move, too: the box is filled again only if something differs.
-void HitFilterBar::followTargets() {
-    QStringList names{tr("All targets")};
-    QVariantList ids{0u};
-    for (const std::unique_ptr<Target>& target : m_session.targets()) {
-        names.append(target->name);
-        ids.append(target->id.value);
-    }
-    bool isSame = m_target->count() == names.size();
-    for (int i = 0; isSame && i < m_target->count(); ++i) {
-        isSame = m_target->itemText(i) == names[i] && m_target->itemData(i) == ids[i];
-    }
-    if (isSame) {
-        return;
-    }
+void HitFilterBar::listTargets() {
     {
         const QSignalBlocker blocker(m_target);
         const QVariant chosen = m_target->currentData();
         m_target->clear();
-        for (int i = 0; i < names.size(); ++i) {
-            m_target->addItem(names[i], ids[i]);
+        m_target->addItem(tr("All targets"), 0u);
+        for (const std::unique_ptr<Target>& target : m_session.targets()) {
+            m_target->addItem(target->name, target->id.value);
         }
         m_target->setCurrentIndex(std::max(0, m_target->findData(chosen)));
     }
@@ -87,6 +74,7 @@ void HitFilterBar::apply() {
 }
 
 void HitFilterBar::open() {
+    m_listing.now();
     show();
     m_text->setFocus();
     m_text->selectAll();

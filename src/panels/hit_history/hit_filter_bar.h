@@ -4,6 +4,7 @@
 #include <QWidget>
 
 #include "models/hit_list.h"
+#include "session/once_a_turn.h"
 
 class QCheckBox;
 class QComboBox;
@@ -29,7 +30,7 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
-    void followTargets();
+    void listTargets();
     void apply();
 
     Session& m_session;
@@ -37,6 +38,7 @@ private:
     QLineEdit* m_text = nullptr;
     QComboBox* m_target = nullptr;
     QCheckBox* m_enabled = nullptr;
+    OnceATurn m_listing{[this] { listTargets(); }};
 };
 
 }  // namespace hitscope

@@ -66,18 +66,21 @@ MeshStatisticsPanel::MeshStatisticsPanel(Session& session, MeshStatisticsModel& 
         session, model.measuring(),
         DisplacementHistogram::Widgets{*m_ui->histogram, *m_ui->between, *m_ui->selectRange,
                                        *m_ui->wholeRange});
-    listTargets();
+    m_list.now();
     model.measuring().setActive(false);
-
-    connect(&model, &MeshStatisticsModel::shownTargetChanged, this, &MeshStatisticsPanel::showTarget);
-    connect(&session, &Session::sceneReplaced, this, &MeshStatisticsPanel::listTargets);
-    connect(&session.targets(), &SessionTargets::added, this, &MeshStatisticsPanel::listTargets);
-    connect(&session.targets(), &SessionTargets::removed, this, &MeshStatisticsPanel::listTargets);
-    connect(&session.targets(), &SessionTargets::changed, this, &MeshStatisticsPanel::listTargets);
-    connect(m_ui->target, &QComboBox::activated, this, &MeshStatisticsPanel::chooseTarget);
+    followTargets();
 }
 
 MeshStatisticsPanel::~MeshStatisticsPanel() = default;
+
+void MeshStatisticsPanel::followTargets() {
+    connect(&m_model, &MeshStatisticsModel::shownTargetChanged, this, &MeshStatisticsPanel::showTarget);
+    connect(&m_session, &Session::sceneReplaced, this, [this] { m_list.now(); });
+    for (const auto signal : {&SessionTargets::added, &SessionTargets::removed, &SessionTargets::renamed}) {
+        connect(&m_session.targets(), signal, this, [this] { m_list.want(); });
+    }
+    connect(m_ui->target, &QComboBox::activated, this, &MeshStatisticsPanel::chooseTarget);
+}
 
 void MeshStatisticsPanel::makeNumbers() {
     QTreeView& numbers = *m_ui->numbers;
@@ -194,7 +197,8 @@ void MeshStatisticsPanel::copyIfReady() {
 }
 
 QString MeshStatisticsPanel::title() const {
-    return m_ui->target->currentText();
+    const Target* target = m_session.targets().find(m_model.shownTarget());
+    return m_model.showsAll() ? tr("All targets") : target != nullptr ? target->name : QString();
 }
 
 void MeshStatisticsPanel::listTargets() {
@@ -211,7 +215,11 @@ void MeshStatisticsPanel::listTargets() {
     showTarget();
 }
 
+/// While the targets are to be listed this is left to that: the box may not have it yet.
 void MeshStatisticsPanel::showTarget() {
+    if (m_list.isDue()) {
+        return;
+    }
     const quint32 shown = m_model.showsAll() ? kAllTargets : m_model.shownTarget().value;
     m_ui->target->setCurrentIndex(m_ui->target->findData(shown));
 }

@@ -8,6 +8,7 @@
 
 #include "models/mesh_health_model.h"
 #include "models/mesh_statistics_model.h"
+#include "session/once_a_turn.h"
 
 namespace Ui {
 class MeshStatistics;
@@ -46,6 +47,7 @@ private:
     void makeHealth();
     void makeCopyMenu();
     void copyIfReady();
+    void followTargets();
     void listTargets();
     void showTarget();
     void chooseTarget(int index);
@@ -61,6 +63,7 @@ private:
     MeshHealthModel m_health;
     std::unique_ptr<Ui::MeshStatistics> m_ui;
     std::unique_ptr<DisplacementHistogram> m_histogram;
+    OnceATurn m_list{[this] { listTargets(); }};
     std::function<void(const MeshMeasurement&)> m_copyWhenReady;  ///< empty: nothing is to be copied
 };
 
