@@ -93,10 +93,9 @@ CutActions::CutActions(Session& session, Comparison& comparison, Viewport& viewp
 }
 
 void CutActions::followSession() {
-    const SessionTargets& targets = m_session.targets();
-    connect(&targets, &SessionTargets::added, this, &CutActions::show);
-    connect(&targets, &SessionTargets::removed, this, &CutActions::show);
-    connect(&targets, &SessionTargets::changed, this, &CutActions::show);
+    for (const auto signal : {&SessionTargets::added, &SessionTargets::removed, &SessionTargets::changed}) {
+        connect(&m_session.targets(), signal, this, [this] { m_showing.want(); });
+    }
     connect(&m_session, &Session::sceneReplaced, this, &CutActions::followScene);
     connect(&m_session.settings(), &SessionSettings::cutChanged, this, [this] {
         m_isPlaced = m_isPlaced || !m_isChanging;  // undo brings it where somebody had it

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "analysis/scene_sections.h"
+#include "session/once_a_turn.h"
 #include "session/session_undo.h"
 
 class QAction;
@@ -74,6 +75,7 @@ private:
     bool m_sliding = false;     ///< the dock's slider is held
     bool m_isChanging = false;  ///< the session's plane, here
     UndoGesture m_gesture;
+    OnceATurn m_showing{[this] { show(); }};
 };
 
 }  // namespace hitscope

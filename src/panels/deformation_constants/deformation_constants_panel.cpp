@@ -89,9 +89,9 @@ DeformationConstantsPanel::DeformationConstantsPanel(Session& session, HitEditin
     connect(&session.targets(), &SessionTargets::selectedChanged, this,
             &DeformationConstantsPanel::showInForce);
     connect(&session, &Session::sceneReplaced, this, &DeformationConstantsPanel::showInForce);
-    connect(&session.targets(), &SessionTargets::added, this, &DeformationConstantsPanel::showInForce);
-    connect(&session.targets(), &SessionTargets::removed, this, &DeformationConstantsPanel::showInForce);
-    connect(&session.targets(), &SessionTargets::changed, this, &DeformationConstantsPanel::showInForce);
+    for (const auto signal : {&SessionTargets::added, &SessionTargets::removed, &SessionTargets::changed}) {
+        connect(&session.targets(), signal, this, [this] { m_showing.want(); });
+    }
     listPresets();
     showConstants();
     showHits();

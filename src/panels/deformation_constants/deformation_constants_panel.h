@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "models/constants_presets.h"
+#include "session/once_a_turn.h"
 #include "session/session.h"
 
 namespace Ui {
@@ -59,6 +60,7 @@ private:
     std::vector<ParameterEditor*> m_editors;  ///< in the order of deformationParameters()
     ConstantsPresets m_presets;
     QAction* m_delete = nullptr;
+    OnceATurn m_showing{[this] { showInForce(); }};
 };
 
 }  // namespace hitscope
