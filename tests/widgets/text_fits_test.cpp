@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QDialog>
 #include <QDockWidget>
+#include <QLabel>
 #include <QTabWidget>
 #include <QTest>
 #include <QTimer>
@@ -55,6 +56,7 @@ private Q_SLOTS:
               "Smooth", "Projectile", "Save Picture As", "Save Picture Sequence"}) {
             addDialog(cut, QString::fromUtf8(dialog));
         }
+        addSeveralTargets(cut);
         cut.removeDuplicates();
         for (const QString& line : cut) {
             qWarning("%s", qPrintable(line));
@@ -63,6 +65,23 @@ private Q_SLOTS:
     }
 
 private:
+    /// The Scene panel says more where several are selected.
+    void addSeveralTargets(QStringList& cut) {
+        const TargetId first = m_session->targets().front()->id;
+        m_session->targets().duplicate({&first, 1});
+        const std::array both{first, m_session->targets().back()->id};
+        m_session->targets().select(first, both);
+        const auto* whose = m_window->findChild<QLabel*>(QStringLiteral("whose"));
+        for (QDockWidget* dock : m_window->findChildren<QDockWidget*>()) {
+            if (dock->isAncestorOf(whose)) {
+                dock->show();
+                dock->raise();
+                settle();
+                QVERIFY(whose->isVisible());
+                add(cut, *dock);
+            }
+        }
+    }
     void hit() {
         Hit hit;
         hit.target = m_session->targets().front()->id;
