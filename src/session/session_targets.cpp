@@ -139,8 +139,6 @@ void SessionTargets::erase(std::size_t index) {
     m_targets.erase(m_targets.begin() + static_cast<std::ptrdiff_t>(index));
     if (m_selected == id) {
         select({});
-    } else if (m_beside.erase(id) > 0) {
-        Q_EMIT selectedChanged(m_selected);
     }
 }
 
@@ -188,16 +186,21 @@ void SessionTargets::follow(const TargetEdit& edit) {
     const TargetId id = edit.before->id;
     if (!edit.after) {
         erase(edit.index);
+        const bool wasBeside = m_beside.erase(id) > 0;
         Q_EMIT removed(id);
+        if (wasBeside) {
+            // A list that still had it would select all others anew.
+            Q_EMIT selectedChanged(m_selected);
+        }
         return;
     }
     Target& target = *m_targets[edit.index];
     const RigidTransform where = target.transform;
+    const bool isRenamed = edit.after->name != target.name;
+    const bool isTextured = edit.after->shape.mesh != target.shape.mesh;
     static_cast<TargetState&>(target) = *edit.after;
     target.deformed.setMaterialsFrom(target.shape.mesh);
     const bool moves = edit.before->transform.position != target.transform.position ||
-    const bool isRenamed = edit.after->name != target.name;
-    const bool isTextured = edit.after->shape.mesh != target.shape.mesh;
                        edit.before->transform.rotation != target.transform.rotation;
     if (moves || edit.before->visible != target.visible || edit.before->physics != target.physics) {
         m_session.m_simulation.letCollide(target);
@@ -206,15 +209,15 @@ void SessionTargets::follow(const TargetEdit& edit) {
         target.transform = where;
     }
     Q_EMIT changed(id);
-}
-
-void SessionTargets::moveTo(TargetId id, const RigidTransform& transform) {
     if (isRenamed) {
         Q_EMIT renamed(id);
     }
     if (isTextured) {
         Q_EMIT textured(id);
     }
+}
+
+void SessionTargets::moveTo(TargetId id, const RigidTransform& transform) {
     Target& moved = *m_targets[*indexOf(id)];
     if (moved.transform.position != transform.position || moved.transform.rotation != transform.rotation) {
         moved.transform = transform;

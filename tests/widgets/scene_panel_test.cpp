@@ -37,6 +37,7 @@ private Q_SLOTS:
     void closesWhileANameIsEdited();
     void duplicateAndRemoveByKey();
     void removingAllLeavesAnEmptyPanel();
+    void removingSelectsTheOthersNotAnew();
     void resetIsOfferedWhereThereAreHits();
     void primitiveIsAskedFor();
     void whatCannotBeHitHasAWarning();
@@ -158,6 +159,20 @@ void ScenePanelTest::removingAllLeavesAnEmptyPanel() {
     QVERIFY(child<QPushButton>("add").isEnabled());
     m_session->undo();
     QCOMPARE(m_model->rowCount(), 16);
+}
+
+void ScenePanelTest::removingSelectsTheOthersNotAnew() {
+    std::vector<TargetId> some;
+    for (std::size_t i = 0; i < 12; ++i) {
+        some.push_back(id(i));
+    }
+    m_session->targets().select(some.front(), some);
+    QCOMPARE(m_table->selectionModel()->selection().size(), 1);  // one range
+    const QSignalSpy changed(m_table->selectionModel(), &QItemSelectionModel::selectionChanged);
+    m_session->targets().remove(some);
+    QCOMPARE(m_model->rowCount(), 4);
+    QVERIFY(!m_table->selectionModel()->hasSelection());
+    QVERIFY2(changed.size() <= 2 * 12, qPrintable(QString::number(changed.size())));
 }
 
 void ScenePanelTest::resetIsOfferedWhereThereAreHits() {

@@ -49,9 +49,10 @@ ScenePanel::ScenePanel(Session& session, SceneModel& model, QWidget* parent)
     connect(selection, &QItemSelectionModel::currentChanged, this, &ScenePanel::followSelection);
     connect(&session.targets(), &SessionTargets::selectedChanged, this, &ScenePanel::showSelectedTarget);
     connect(&model, &QAbstractItemModel::modelReset, this, &ScenePanel::showSelectedTarget);
-    connect(&model, &QAbstractItemModel::rowsInserted, this, &ScenePanel::updateActions);
-    connect(&model, &QAbstractItemModel::rowsRemoved, this, &ScenePanel::updateActions);
-    connect(&model, &QAbstractItemModel::dataChanged, this, &ScenePanel::updateActions);
+    const auto updateSoon = [this] { m_updating.want(); };
+    connect(&model, &QAbstractItemModel::rowsInserted, this, updateSoon);
+    connect(&model, &QAbstractItemModel::rowsRemoved, this, updateSoon);
+    connect(&model, &QAbstractItemModel::dataChanged, this, updateSoon);
     showSelectedTarget();
 }
 
@@ -186,6 +187,7 @@ void ScenePanel::duplicateSelected() {
     const std::vector<TargetId> targets = selectedTargets();
     const QString what = nameOf(targets);
     m_session.targets().duplicate(targets);
+    m_updating.now();
     Q_EMIT said(
         (targets.size() == 1 ? tr("Duplicated %1, with its hits.") : tr("Duplicated %1, with their hits."))
             .arg(what));
@@ -206,6 +208,7 @@ void ScenePanel::removeSelected() {
     const int first = m_model.rowOf(targets.front());
     const QString what = nameOf(targets);
     m_session.targets().remove(targets);
+    m_updating.now();
     Q_EMIT said((targets.size() == 1 ? tr("Removed %1. Undo brings it back, with its hits.")
                                      : tr("Removed %1. Undo brings them back, with their hits."))
                     .arg(what));
@@ -216,11 +219,13 @@ void ScenePanel::removeSelected() {
 
 void ScenePanel::resetSelected() {
     m_session.targets().reset(selectedTargets());
+    m_updating.now();
 }
 
 void ScenePanel::toggleSelected() {
     const std::vector<TargetId> targets = selectedTargets();
     m_session.targets().setVisible(targets, !isAnyVisible(targets));
+    m_updating.now();
 }
 
 void ScenePanel::renameCurrent() {
@@ -245,6 +250,24 @@ void ScenePanel::followSelection() {
     updateActions();
 }
 
+/// Neighbours as one range: with many ranges each look at the selection takes long.
+QItemSelection ScenePanel::rowsOfSelected() const {
+    const auto isOne = [this](int row) { return m_session.targets().isSelected(m_model.targetAt(row)); };
+    QItemSelection selection;
+    for (int row = 0; row < m_model.rowCount(); ++row) {
+        if (!isOne(row)) {
+            continue;
+        }
+        const int first = row;
+        while (row + 1 < m_model.rowCount() && isOne(row + 1)) {
+            ++row;
+        }
+        selection.append(QItemSelectionRange(m_model.index(first, SceneModel::NameColumn),
+                                             m_model.index(row, SceneModel::NameColumn)));
+    }
+    return selection;
+}
+
 void ScenePanel::showSelectedTarget() {
     if (m_following) {
         return;
@@ -257,10 +280,8 @@ void ScenePanel::showSelectedTarget() {
                selectedTargets() != m_session.targets().allSelected()) {
         const QModelIndex current = m_model.index(row, SceneModel::NameColumn);
         selectOnly(*m_ui->table, current);
-        for (const TargetId id : m_session.targets().allSelected()) {
-            m_ui->table->selectionModel()->select(m_model.index(m_model.rowOf(id), SceneModel::NameColumn),
-                                                  QItemSelectionModel::Select | QItemSelectionModel::Rows);
-        }
+        m_ui->table->selectionModel()->select(rowsOfSelected(),
+                                              QItemSelectionModel::Select | QItemSelectionModel::Rows);
         m_ui->table->scrollTo(current);
     }
     m_following = false;

@@ -8,9 +8,11 @@
 #include <vector>
 
 #include "models/scene_model.h"
+#include "session/once_a_turn.h"
 #include "session/primitive_target.h"
 
 class QAction;
+class QItemSelection;
 class QMenu;
 
 namespace Ui {
@@ -58,6 +60,7 @@ private:
     void followSelection();     ///< table -> session
     void updateActions();
     [[nodiscard]] std::vector<TargetId> selectedTargets() const;  ///< in the list's order
+    [[nodiscard]] QItemSelection rowsOfSelected() const;
     [[nodiscard]] bool isAnyVisible(const std::vector<TargetId>& targets) const;
 
     Session& m_session;
@@ -71,6 +74,7 @@ private:
     QAction* m_remove = nullptr;
     QAction* m_selectAll = nullptr;
     bool m_following = false;
+    OnceATurn m_updating{[this] { updateActions(); }};
 };
 
 }  // namespace hitscope
