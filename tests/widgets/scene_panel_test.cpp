@@ -172,7 +172,7 @@ void ScenePanelTest::removingSelectsTheOthersNotAnew() {
     m_session->targets().remove(some);
     QCOMPARE(m_model->rowCount(), 4);
     QVERIFY(!m_table->selectionModel()->hasSelection());
-    QVERIFY2(changed.size() <= 2 * 12, qPrintable(QString::number(changed.size())));
+    QVERIFY2(changed.size() <= 14, qPrintable(QString::number(changed.size())));
 }
 
 void ScenePanelTest::resetIsOfferedWhereThereAreHits() {
