@@ -133,7 +133,9 @@ void GltfTexturesTest::materialsShareVertices() {
     put(second, std::uint16_t{1}, std::uint16_t{3}, std::uint16_t{2}, std::uint16_t{0});
     file.accessor(file.view(first), kUnsignedShort, "SCALAR", 3);
     file.accessor(file.view(second), kUnsignedShort, "SCALAR", 3);
-    file.more = materials(R"({"materials": [{}, {}], "meshes": [{"primitives": [
+    file.more = materials(R"({"materials": [
+        {"pbrMetallicRoughness": {"baseColorFactor": [1, 0, 0, 1]}},
+        {"pbrMetallicRoughness": {"baseColorFactor": [0, 1, 0, 1]}}], "meshes": [{"primitives": [
         {"attributes": {"POSITION": 0}, "indices": 1, "material": 0},
         {"attributes": {"POSITION": 0}, "indices": 2, "material": 1}]}]})");
     const Result<ImportedMesh> imported = read(file);
