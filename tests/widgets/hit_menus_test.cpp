@@ -99,10 +99,10 @@ void HitMenusTest::undoNamesTheStep() {
     DeformationConstants constants;
     constants.power = 0.1f;
     QVERIFY(m_session->settings().setConstants(constants).ok());
-    QCOMPARE(undo->text(), QStringLiteral("&Undo Constants for Next Hit"));
+    QCOMPARE(undo->text(), QStringLiteral("&Undo Power for Next Hit"));
     QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(undo->text(), QStringLiteral("&Undo Disable 2 Hits"));
-    QCOMPARE(redo->text(), QStringLiteral("&Redo Constants for Next Hit"));
+    QCOMPARE(redo->text(), QStringLiteral("&Redo Power for Next Hit"));
     QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(m_session->hits().disabled(), std::size_t{0});
     QCOMPARE(redo->text(), QStringLiteral("&Redo Disable 2 Hits"));

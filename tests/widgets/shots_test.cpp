@@ -93,8 +93,9 @@ void ShotsTest::restingCursorForetells() {
     const auto made = m_session->targets().front()->deformed.statistics();
     // A second line offers to refine where there are few.
     QCOMPARE(foretold.contains(QStringLiteral("Ctrl+R")), made.changedVertices < AimPreview::kFewVertices);
-    QCOMPARE(foretold.section(u'\n', 0, 0),
-             QStringLiteral("%1 vertices, %2 m deep").arg(made.changedVertices).arg(made.maximum, 0, 'f', 3));
+    QCOMPARE(foretold.section(u'\n', 0, 0), QStringLiteral("Next shot: %1 vertices, %2 m deep")
+                                                .arg(made.changedVertices)
+                                                .arg(made.maximum, 0, 'f', 3));
 }
 
 void ShotsTest::shallowDentsHaveDigitsThatCount() {
