@@ -6,6 +6,7 @@
 #include <QLineEdit>
 #include <QSignalSpy>
 #include <QTest>
+#include <QToolTip>
 #include <cmath>
 #include <memory>
 
@@ -86,6 +87,16 @@ private Q_SLOTS:
         QCOMPARE(m_box->value(), 0.5);
         QCOMPARE(m_box->text(), QStringLiteral("0.5 m"));
         QCOMPARE(edited.count(), 0);
+    }
+
+    void saysWhichUnitsItTakes() {
+        type(QStringLiteral("2 in"));
+        QTRY_VERIFY_WITH_TIMEOUT(QToolTip::text().contains(QStringLiteral("mm")), kPatience);
+        m_box->setSuffix(QStringLiteral(" kg"));
+        type(QStringLiteral("3 in"));
+        QTRY_VERIFY_WITH_TIMEOUT(QToolTip::text().contains(QStringLiteral("“3 in”")), kPatience);
+        QVERIFY(!QToolTip::text().contains(QStringLiteral("mm")));
+        QToolTip::hideText();
     }
 
     /// To a thousandth of its step; looking at it changes nothing.

@@ -46,6 +46,11 @@ std::optional<LengthUnit> unitAtEnd(const QString& text) {
     return unit != kUnits.end() ? std::optional(*unit) : std::nullopt;
 }
 
+bool isLength(const QString& unit) {
+    const auto known = unitAtEnd(unit);
+    return known && unit == known->name;
+}
+
 /// With a point or a comma, of which there is one: boxes show no thousands apart.
 std::optional<double> readNumber(QString text) {
     text.replace(u',', u'.');
@@ -145,15 +150,14 @@ std::optional<double> NumberBox::read(const QString& text) const {
         return plain;
     }
     const QString own = m_unit.isEmpty() ? suffix().trimmed() : m_unit;
-    const auto shown = unitAtEnd(own);
     QString length = typed;
     length.replace(QChar(0xb5), u'u').replace(QChar(0x3bc), u'u');  // the two characters for micro
     const auto unit = unitAtEnd(length);
-    if (!shown || !unit || own != shown->name) {
+    if (!unit || !isLength(own)) {
         return std::nullopt;
     }
     const std::optional<double> read = readNumber(length.chopped(unit->name.size()).trimmed());
-    return read ? std::optional(*read * (unit->metres / shown->metres)) : std::nullopt;
+    return read ? std::optional(*read * (unit->metres / unitAtEnd(own)->metres)) : std::nullopt;
 }
 
 /// A number that is shown rounded is still the one it was.
@@ -171,9 +175,13 @@ QValidator::State NumberBox::validate(QString& text, int& /*position*/) const {
 
 /// The number stays what it was.
 void NumberBox::fixup(QString& text) const {
-    const QString said = tr("“%1” was not taken: type a number from %2 to %3.")
-                             .arg(number(text), shownFloat(static_cast<float>(minimum())),
-                                  shownFloat(static_cast<float>(maximum())) + suffix());
+    const bool isUnitTaken = isLength(m_unit.isEmpty() ? suffix().trimmed() : m_unit);
+    const QString said =
+        (isUnitTaken
+             ? tr("“%1” was not taken: type a number from %2 to %3. It may be in µm, mm, cm, m or km.")
+             : tr("“%1” was not taken: type a number from %2 to %3."))
+            .arg(number(text), shownFloat(static_cast<float>(minimum())),
+                 shownFloat(static_cast<float>(maximum())) + suffix());
     // Later: Return gives the focus away, which hides the tip that is shown.
     auto* box = const_cast<NumberBox*>(this);
     QTimer::singleShot(0, box, [box, said] {
