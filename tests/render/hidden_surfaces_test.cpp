@@ -32,18 +32,6 @@ MeshData denseSphere() {
     return makeUvSphere(360, 240, kRadius);
 }
 
-/// Dents that turn some of the surface inside out.
-std::vector<Hit> deepDents() {
-    std::vector<Hit> hits = dents({1}, 6);
-    for (Hit& hit : hits) {
-        hit.constants.maxDistance = 1.0f;
-        hit.constants.maxMagnitude = 1.0f;
-        hit.constants.power = 0.4f;
-    }
-    hits.insert(hits.end(), 3, hits.front());
-    return hits;
-}
-
 /// With as many holes as not: transparent squares.
 Image chequered() {
     constexpr int kSize = 16;

@@ -118,6 +118,17 @@ std::vector<Hit> dents(TargetId target, std::size_t count) {
     return hits;
 }
 
+std::vector<Hit> deepDents() {
+    std::vector<Hit> hits = dents({1}, 6);
+    for (Hit& hit : hits) {
+        hit.constants.maxDistance = 1.0f;
+        hit.constants.maxMagnitude = 1.0f;
+        hit.constants.power = 0.4f;
+    }
+    hits.insert(hits.end(), 3, hits.front());
+    return hits;
+}
+
 QImage picture(Renderer& renderer, const Frame& frame, DeformationPipeline& pipeline, int samples) {
     const gl::RenderTarget target(frame.width, frame.height, samples);
     if (!target.isComplete()) {

@@ -56,6 +56,10 @@ void addPaperScene(TestScene& scene, Renderer& renderer);
 /// Dents of the first target, which is a sphere of radius 2.5 m about its origin.
 [[nodiscard]] std::vector<Hit> dents(TargetId target, std::size_t count);
 
+/// Six of dents(), as deep as a metre, the first one four times: they push vertices far from where their
+/// clusters were, and turn some of the surface inside out.
+[[nodiscard]] std::vector<Hit> deepDents();
+
 /// Draws with 4 samples and reads the picture; a null image and a message on failure.
 [[nodiscard]] QImage picture(Renderer& renderer, const Frame& frame, DeformationPipeline& pipeline,
                              int samples = 4);

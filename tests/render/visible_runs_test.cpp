@@ -24,18 +24,6 @@ namespace {
 
 constexpr float kRadius = 2.5f;
 
-/// Dents that push vertices far from where their clusters were: up to a metre each, all in one place.
-std::vector<Hit> deepDents() {
-    std::vector<Hit> hits = dents({1}, 6);
-    for (Hit& hit : hits) {
-        hit.constants.maxDistance = 1.0f;
-        hit.constants.maxMagnitude = 1.0f;
-        hit.constants.power = 0.4f;
-    }
-    hits.insert(hits.end(), 3, hits.front());
-    return hits;
-}
-
 /// A fence: quads of a hundred metres' height, a tenth wide.
 MeshData fence() {
     constexpr std::uint32_t kColumns = 200;
