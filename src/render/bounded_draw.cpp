@@ -41,14 +41,6 @@ void draw(GLenum mode, const IndexRuns& runs) {
     }
 }
 
-IndexRuns allOf(std::span<const IndexRun> runs, const IndexRun& range) {
-    IndexRuns all;
-    for (const IndexRun& run : within(runs, range)) {
-        all.add(run.first, run.end - run.first);
-    }
-    return all;
-}
-
 }  // namespace
 
 DrawPieces::DrawPieces(std::span<const IndexRun> runs, const IndexRun& range, DrawOrder order)
@@ -94,14 +86,21 @@ void DrawPieces::take(Strand& strand, std::uint32_t most, IndexRuns& piece) cons
     }
 }
 
+std::size_t drawRuns(GLenum mode, std::span<const IndexRun> runs) {
+    IndexRuns all;
+    for (const IndexRun& run : runs) {
+        all.add(run.first, run.end - run.first);
+    }
+    if (all.indices > 0) {
+        draw(mode, all);
+    }
+    return all.indices;
+}
+
 std::size_t drawBounded(const FrameContext& context, GLenum mode, std::span<const IndexRun> runs,
                         const IndexRun& range, DrawOrder order) {
     if (!context.software) {
-        const IndexRuns all = allOf(runs, range);
-        if (all.indices > 0) {
-            draw(mode, all);
-        }
-        return all.indices;
+        return drawRuns(mode, within(runs, range));
     }
     const bool isOne = std::min<std::size_t>(countOf(runs), range.end - range.first) <= DrawPieces::kMost;
     WaitForLastButOne wait;

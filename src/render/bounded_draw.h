@@ -44,6 +44,9 @@ private:
     std::vector<Strand> m_strands;  ///< that have not come to their ends
 };
 
+/// glMultiDrawElements() of the bound vertex array. Returns how many indices that are.
+std::size_t drawRuns(GLenum mode, std::span<const IndexRun> runs);
+
 /// glMultiDrawElements() of what the runs have in the range of the bound vertex array; a software renderer
 /// gets much in pieces (DrawPieces), and waits for the last piece but one. Returns how many indices that are.
 std::size_t drawBounded(const FrameContext& context, GLenum mode, std::span<const IndexRun> runs,

@@ -77,19 +77,20 @@ std::vector<ChangedParts::Run> ChangedParts::changedIn(std::span<const std::uint
     return runs;
 }
 
-IndexRuns ChangedParts::joined(std::vector<Run> Block::*runs, std::size_t size) const {
+std::vector<IndexRun> ChangedParts::joined(std::vector<Run> Block::*runs, std::size_t size) const {
     std::vector<Run> all;
     for (const Block& block : m_blocks) {
         all.insert(all.end(), (block.*runs).begin(), (block.*runs).end());
     }
     std::sort(all.begin(), all.end(), [](const Run& a, const Run& b) { return a.first < b.first; });
-    IndexRuns result;
+    const auto step = static_cast<std::uint32_t>(size);
+    std::vector<IndexRun> result;
     for (std::size_t i = 0; i < all.size();) {
         Run run = all[i++];
         for (; i < all.size() && all[i].first <= run.end + kGap; ++i) {
             run.end = all[i].end;
         }
-        result.add(run.first * size, (run.end - run.first) * size);
+        result.push_back({run.first * step, run.end * step});
     }
     return result;
 }
@@ -114,12 +115,12 @@ void ChangedParts::collect() const {
     m_edges = joined(&Block::edges, 2);
 }
 
-const IndexRuns& ChangedParts::triangles() const {
+std::span<const IndexRun> ChangedParts::triangles() const {
     collect();
     return m_triangles;
 }
 
-const IndexRuns& ChangedParts::edges() const {
+std::span<const IndexRun> ChangedParts::edges() const {
     collect();
     return m_edges;
 }

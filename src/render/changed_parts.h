@@ -23,8 +23,8 @@ public:
     void note(std::span<const std::uint32_t> renderVertices);
 
     // Cost what was noted since they were last asked for, and a little for all that ever was.
-    [[nodiscard]] const IndexRuns& triangles() const;
-    [[nodiscard]] const IndexRuns& edges() const;
+    [[nodiscard]] std::span<const IndexRun> triangles() const;
+    [[nodiscard]] std::span<const IndexRun> edges() const;
 
 private:
     struct Run {
@@ -42,15 +42,15 @@ private:
     void collect() const;
     [[nodiscard]] std::vector<Run> changedIn(std::span<const std::uint32_t> elements, std::size_t size,
                                              Run among, std::uint32_t block) const;
-    [[nodiscard]] IndexRuns joined(std::vector<Run> Block::*runs, std::size_t size) const;
+    [[nodiscard]] std::vector<IndexRun> joined(std::vector<Run> Block::*runs, std::size_t size) const;
 
     std::shared_ptr<const RenderMesh> m_mesh;
     std::vector<bool> m_vertices;        ///< that were noted
     ZeroArray<std::uint32_t> m_blockOf;  ///< by place in the mesh: 1 + index of its block; 0: nothing changed
     mutable std::vector<Block> m_blocks;
     mutable std::vector<std::uint32_t> m_dirty;  ///< of m_blocks
-    mutable IndexRuns m_triangles;
-    mutable IndexRuns m_edges;
+    mutable std::vector<IndexRun> m_triangles;   ///< of the index buffer
+    mutable std::vector<IndexRun> m_edges;       ///< of that of edges
 };
 
 }  // namespace hitscope

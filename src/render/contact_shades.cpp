@@ -12,6 +12,10 @@ constexpr float kShadeSpread = 1.45f;    // of the target's half size
 
 }  // namespace
 
+glm::vec3 alongView(const FrameContext& context, const DrawItem& item) {
+    return glm::transpose(glm::mat3(item.model)) * context.forward;
+}
+
 Bounds worldBounds(const DrawItem& item) {
     const Bounds& local = item.buffers->originalBounds();
     Bounds bounds;

@@ -95,6 +95,9 @@ struct FrameContext {
 /// Of the original shape, in the world; empty for a mesh without vertices.
 [[nodiscard]] Bounds worldBounds(const DrawItem& item);
 
+/// The way that the camera looks, in the target's local frame.
+[[nodiscard]] glm::vec3 alongView(const FrameContext& context, const DrawItem& item);
+
 /// Which lights are on, for programs that include lighting.glsl.
 [[nodiscard]] gl::Defines lightDefines(const Lights& lights);
 /// Writes the uniforms of lighting.glsl in a program built with lightDefines(); it is in use.

@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "render/bounded_draw.h"
 #include "render/cut_away.h"
 #include "render/early_start.h"
 #include "render/line_pass.h"
@@ -19,10 +20,7 @@ constexpr float kBehind = 1.0f;  // glPolygonOffset's units: the least there is
 /// Returns how many indices it drew.
 std::size_t drawChanged(const DrawItem& item) {
     if (item.changedParts != nullptr) {
-        const IndexRuns& runs = item.changedParts->triangles();
-        glMultiDrawElements(GL_TRIANGLES, runs.counts.data(), GL_UNSIGNED_INT, runs.starts.data(),
-                            static_cast<GLsizei>(runs.counts.size()));
-        return runs.indices;
+        return drawRuns(GL_TRIANGLES, item.changedParts->triangles());
     }
     glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(item.buffers->triangleIndexCount()), GL_UNSIGNED_INT,
                    nullptr);

@@ -7,10 +7,11 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "render/bounded_draw.h"
 #include "render/change_map.h"
 #include "render/cut_away.h"
 #include "render/early_start.h"
-#include "render/seen/visible_runs.h"
+#include "render/seen/edge_draws.h"
 
 namespace hitscope::render {
 namespace {
@@ -36,11 +37,15 @@ float depthShift(const FrameContext& context) {
     return context.depthPerPixel * kLinesAhead;
 }
 
+/// Half a wide line, and a pixel of fade.
+float halfReach(const FrameContext& context, float width) {
+    return 0.5f * width * context.frame.pixelRatio + 1.0f;
+}
+
 void setWideLine(const gl::Program& program, const FrameContext& context, float width) {
-    const float half = 0.5f * width * context.frame.pixelRatio;
     program.set("u_halfSize", 0.5f * glm::vec2(context.frame.width, context.frame.height));
-    program.set("u_halfWidth", half);
-    program.set("u_reach", half + 1.0f);
+    program.set("u_halfWidth", 0.5f * width * context.frame.pixelRatio);
+    program.set("u_reach", halfReach(context, width));
 }
 
 /// On the filling of a cut nothing of the inside is seen.
@@ -79,35 +84,8 @@ Result<const gl::Program*> edgeProgram(const FrameContext& context, const Deform
     return context.programs.get("wire.vert", "wire.frag", defines, wide ? "wire.geom" : "");
 }
 
-/// A little beyond the picture's edges for the lines' width.
-PictureWindow linesWindow(const FrameContext& context) {
-    constexpr glm::vec2 kReach(1.05f);
-    return context.window.value_or(PictureWindow{-kReach, kReach});
-}
-
-/// Lines cost so much that culling the hidden ones pays.
-bool isInPicture(const FrameContext& context, const DeformationPipeline& pipeline, const DrawItem& item) {
-    return mayShow(item, context.frame, pipeline, context.viewProjection, linesWindow(context));
-}
-
-std::size_t drawRuns(const IndexRuns& runs) {
-    glMultiDrawElements(GL_LINES, runs.counts.data(), GL_UNSIGNED_INT, runs.starts.data(),
-                        static_cast<GLsizei>(runs.counts.size()));
-    return runs.indices;
-}
-
-/// Returns how many indices it drew. From close by, much of a target lies beside the picture.
-std::size_t drawLines(const FrameContext& context, const DeformationPipeline& pipeline, const DrawItem& item,
-                      bool ghost) {
-    if (ghost && item.changedParts != nullptr) {
-        return drawRuns(item.changedParts->edges());
-    }
-    if (const auto runs =
-            visibleEdges(item, context.frame, pipeline, context.viewProjection, linesWindow(context))) {
-        return drawRuns(*runs);
-    }
-    glDrawElements(GL_LINES, static_cast<GLsizei>(item.buffers->edgeIndexCount()), GL_UNSIGNED_INT, nullptr);
-    return item.buffers->edgeIndexCount();
+LineReach edgeReach(const FrameContext& context) {
+    return {static_cast<int>(std::ceil(halfReach(context, kLineWidth))) + 1, depthShift(context)};
 }
 
 /// Logical pixels of edges that are drawn as wide lines, and longer ones.
@@ -116,17 +94,32 @@ float wideFrom(const FrameContext& context, const EdgeStyle& style) {
                                                                   : kWideFrom;
 }
 
-Status drawEdgesOf(const FrameContext& context, DeformationPipeline& pipeline, const EdgeStyle& style,
-                   bool wide) {
+std::vector<EdgeDraw> edgeDraws(const FrameContext& context, const DeformationPipeline& pipeline,
+                                const EdgeStyle& style) {
+    const LineReach reach = edgeReach(context);
+    std::vector<EdgeDraw> draws;
+    for (const DrawItem& item : context.frame.targets) {
+        if (nearestEdgePixels(context, item) >= style.leastPixels) {
+            draws.push_back(edgeDraw(context, pipeline, item, reach, style.ghost));
+        }
+    }
+    if (!style.faint) {  // else what is hidden is what they are drawn for
+        leaveOutHidden(context, pipeline, draws, reach);
+    }
+    std::erase_if(draws, [](const EdgeDraw& draw) { return draw.seen.empty(); });
+    return draws;
+}
+
+Status drawEdgesOf(const FrameContext& context, DeformationPipeline& pipeline,
+                   std::span<const EdgeDraw> draws, const EdgeStyle& style, bool wide) {
     const ClipByCut clip(context.frame);
     const gl::Program* program = nullptr;
     const glm::vec4 selected(glm::mix(glm::vec3(style.colour), context.colours.accent, style.selectionTint),
                              style.colour.a);
     EarlyStart earlyStart(context);
-    for (const DrawItem& item : context.frame.targets) {
-        const float pixels = nearestEdgePixels(context, item);
-        if (pixels < style.leastPixels || (pixels >= wideFrom(context, style)) != wide ||
-            !isInPicture(context, pipeline, item)) {
+    for (const EdgeDraw& draw : draws) {
+        const DrawItem& item = *draw.item;
+        if ((nearestEdgePixels(context, item) >= wideFrom(context, style)) != wide) {
             continue;
         }
         if (program == nullptr) {
@@ -146,7 +139,7 @@ Status drawEdgesOf(const FrameContext& context, DeformationPipeline& pipeline, c
         setEdgePixels(*program, context, item);
         glBindVertexArray(item.original && !style.ghost ? item.buffers->originalEdgeArray()
                                                         : item.buffers->edgeArray());
-        earlyStart.drawn(drawLines(context, pipeline, item, style.ghost));
+        earlyStart.drawn(drawRuns(GL_LINES, draw.seen));
     }
     return Done{};
 }
@@ -203,10 +196,11 @@ float nearestEdgePixels(const FrameContext& context, const DrawItem& item) {
 }
 
 Status drawEdges(const FrameContext& context, DeformationPipeline& pipeline, const EdgeStyle& style) {
-    if (Status status = drawEdgesOf(context, pipeline, style, false); !status) {
+    const std::vector<EdgeDraw> draws = edgeDraws(context, pipeline, style);
+    if (Status status = drawEdgesOf(context, pipeline, draws, style, false); !status) {
         return status;
     }
-    return drawEdgesOf(context, pipeline, style, true);
+    return drawEdgesOf(context, pipeline, draws, style, true);
 }
 
 Status drawDots(const FrameContext& context, DeformationPipeline& pipeline) {

@@ -6,14 +6,11 @@
 #include <QTest>
 #include <glm/geometric.hpp>
 
-#include "gl/objects.h"
+#include "drawn_share_support.h"
 #include "gl/pipeline_rows.h"
-#include "gl/render_target.h"
 #include "mesh/primitives.h"
 #include "open_renderer.h"
 #include "render_support.h"
-#include "secretive_pipeline.h"
-#include "support/baseline.h"
 #include "support/gl_fixture.h"
 #include "support/test_program.h"
 
@@ -47,11 +44,6 @@ Image chequered() {
     return image;
 }
 
-struct Drawn {
-    QImage picture;
-    GLuint triangles = 0;
-};
-
 }  // namespace
 
 class HiddenSurfacesTest : public QObject {
@@ -68,34 +60,10 @@ private Q_SLOTS:
 
 private:
     [[nodiscard]] Drawn draw(const Frame& frame, DeformationPipeline& pipeline, int samples = 1) {
-        const gl::RenderTarget target(frame.left + frame.width, frame.height, samples);
-        const gl::Query query = gl::Query::make();
-        glBeginQuery(GL_PRIMITIVES_GENERATED, query.id());
-        const Status status = m_renderer->draw(frame, pipeline, target.framebuffer());
-        glEndQuery(GL_PRIMITIVES_GENERATED);
-        if (!status) {
-            QTest::qFail(status.error().message().c_str(), __FILE__, __LINE__);
-            return {};
-        }
-        Drawn drawn;
-        glGetQueryObjectuiv(query.id(), GL_QUERY_RESULT, &drawn.triangles);
-        const Image image = target.read();
-        const QRect own(frame.left, 0, frame.width, frame.height);
-        drawn.picture =
-            QImage(image.pixels.data(), image.width, image.height, QImage::Format_RGBA8888).copy(own);
-        return drawn;
+        return drawCounted(*m_renderer, frame, pipeline, samples);
     }
-    /// The share of the triangles that was drawn, where the renderer counts them, else 0.5; -1: the picture
-    /// is another one than of all of them.
     [[nodiscard]] double share(const Frame& frame, DeformationPipeline& pipeline, int samples = 1) {
-        Secretive secretive(pipeline);
-        const Drawn all = draw(frame, secretive, samples);
-        const Drawn some = draw(frame, pipeline, samples);
-        if (differing(some.picture, all.picture) > 0) {
-            return -1.0;
-        }
-        return all.triangles > 0 ? static_cast<double>(some.triangles) / static_cast<double>(all.triangles)
-                                 : 0.5;
+        return drawnShare(*m_renderer, frame, pipeline, samples);
     }
     /// Whether there are pictures of more than one sample a pixel.
     [[nodiscard]] static bool hasSamples() {
@@ -165,7 +133,7 @@ void HiddenSurfacesTest::throughHoles() {
     items[0].materials = cover.get();
     frame.targets = items;
     QVERIFY(share(frame, *pipeline) > 0.0);
-    QVERIFY(closed.triangles == 0 || draw(frame, *pipeline).triangles > closed.triangles);
+    QVERIFY(closed.primitives == 0 || draw(frame, *pipeline).primitives > closed.primitives);
 }
 
 void HiddenSurfacesTest::behindAnother() {
@@ -192,7 +160,7 @@ void HiddenSurfacesTest::withSamplesAllOfThem() {
     frame.options.shadows = false;
     const double drawn = share(frame, *pipeline, 4);
     QVERIFY(drawn > 0.0);
-    if (draw(frame, *pipeline, 4).triangles > 0 && hasSamples()) {
+    if (draw(frame, *pipeline, 4).primitives > 0 && hasSamples()) {
         QCOMPARE(drawn, 1.0);
     }
 }

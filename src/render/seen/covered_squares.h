@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <span>
 
 #include "mesh/cluster_runs.h"
@@ -24,6 +25,10 @@ public:
 
 private:
     static constexpr int kSide = 32;  ///< squares in the picture each way
+
+    static std::size_t indexOf(const glm::ivec2& square) {
+        return static_cast<std::size_t>(square.y) * kSide + static_cast<std::size_t>(square.x);
+    }
 
     std::array<bool, std::size_t{kSide} * kSide> m_isCovered{};
 };

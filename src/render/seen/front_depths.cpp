@@ -14,6 +14,12 @@ FrontDepths FrontDepths::ofBound(int left, const PixelArea& area, int off) {
     return {area, depths, off};
 }
 
+bool FrontDepths::areReadable() {
+    GLint samples = 0;
+    glGetIntegerv(GL_SAMPLE_BUFFERS, &samples);
+    return samples == 0;
+}
+
 FrontDepths::FrontDepths(const PixelArea& area, std::span<const float> depths, int off)
     : m_area(area),
       m_off(off),

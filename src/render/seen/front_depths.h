@@ -18,6 +18,9 @@ public:
     /// it is drawn.
     [[nodiscard]] static FrontDepths ofBound(int left, const PixelArea& area, int off = 0);
 
+    /// Whether what is bound has one sample a pixel.
+    [[nodiscard]] static bool areReadable();
+
     [[nodiscard]] int off() const { return m_off; }
 
     /// Whether all pixels of that part of the area show something nearer. An empty part hides nothing.

@@ -69,11 +69,6 @@ ItemDraws drawsOf(const FrameContext& context, const DeformationPipeline& pipeli
     return seen && countOf(*seen) <= few ? ItemDraws{all, std::move(seen)} : ItemDraws{coarse, std::nullopt};
 }
 
-/// In the target's local frame.
-glm::vec3 alongView(const FrameContext& context, const DrawItem& item) {
-    return glm::transpose(glm::mat3(item.model)) * context.forward;
-}
-
 /// Of a range. seen: what can be seen of the item; nothing: that is not known yet.
 std::vector<std::vector<IndexRun>> groupsOf(const FrameContext& context, const DeformationPipeline& pipeline,
                                             const DrawItem& item, const ClusterRuns& runs,
@@ -144,13 +139,6 @@ bool mayHideMany(const FrameContext& context, std::span<const SurfaceDraw> draws
     return hidden >= many;
 }
 
-/// Whether depths can be read back from what is bound.
-bool hasOneSample() {
-    GLint samples = 0;
-    glGetIntegerv(GL_SAMPLE_BUFFERS, &samples);
-    return samples == 0;
-}
-
 }  // namespace
 
 std::size_t indicesFrom(std::span<const SurfaceDraw> draws, std::size_t first) {
@@ -207,7 +195,7 @@ void leaveOutHidden(const FrameContext& context, const DeformationPipeline& pipe
     if (!context.software || context.front != nullptr || context.part.count > 1 || area.empty()) {
         return;
     }
-    if (!mayHideMany(context, draws, first, area) || !hasOneSample()) {
+    if (!mayHideMany(context, draws, first, area) || !FrontDepths::areReadable()) {
         return;
     }
     const FrontDepths front = FrontDepths::ofBound(context.frame.left, area);

@@ -58,9 +58,9 @@ bool Sight::mayShow(const Bounds& box) const {
     if (!seen.add(box)) {
         return true;
     }
-    return (m_tiles == nullptr || m_tiles->any(seen.in(m_picture))) &&
+    return (m_tiles == nullptr || m_tiles->any(seen.in(m_picture, kSampleReach + m_around))) &&
            (m_front == nullptr ||
-            !m_front->hide(seen.in(m_picture, m_front->off()), seen.nearest() - kDepthStep));
+            !m_front->hide(seen.in(m_picture, m_front->off() + m_around), seen.nearest() - kDepthStep));
 }
 
 std::optional<std::vector<IndexRun>> visibleRuns(const DrawItem& item, const Frame& frame,
@@ -105,21 +105,6 @@ std::vector<std::vector<IndexRun>> nearestFirst(std::span<const IndexRun> seen, 
         add(sorted[depth > 0.0f ? static_cast<std::size_t>(std::min(depth, last)) : 0], part);
     });
     return sorted;
-}
-
-std::optional<IndexRuns> visibleEdges(const DrawItem& item, const Frame& frame,
-                                      const DeformationPipeline& pipeline, const glm::mat4& viewProjection,
-                                      const PictureWindow& window) {
-    const auto visible = visibleRuns(item, frame, pipeline, Sight(viewProjection * item.model, window),
-                                     item.buffers->edgeRuns(), {0, item.buffers->edgeIndexCount()});
-    if (!visible) {
-        return std::nullopt;
-    }
-    IndexRuns runs;
-    for (const IndexRun& run : *visible) {
-        runs.add(run.first, run.end - run.first);
-    }
-    return runs;
 }
 
 }  // namespace hitscope::render

@@ -25,6 +25,8 @@ public:
     /// toClip: from the frame of the boxes to come.
     Sight(const glm::mat4& toClip, const PictureWindow& window)
         : m_toClip(toClip), m_window(toClip, window) {}
+    /// What is drawn reaches so many pixels beyond the boxes to all sides; none otherwise.
+    void reachAround(int pixels) { m_around = pixels; }
     /// Nothing is drawn elsewhere. The tiles outlive this.
     void limitTo(const TilesOfPicture& tiles);
     /// Nothing is drawn behind what such a picture shows; null: nothing is hidden. Likewise.
@@ -39,6 +41,7 @@ private:
     glm::mat4 m_toClip;
     WindowPlanes m_window;
     glm::ivec2 m_picture{0};
+    int m_around = 0;
     const MarkedTiles* m_tiles = nullptr;
     const FrontDepths* m_front = nullptr;
 };
@@ -87,11 +90,5 @@ void forEachPart(std::span<const IndexRun> seen, const ClusterRuns& runs, const 
 [[nodiscard]] std::vector<std::vector<IndexRun>> nearestFirst(std::span<const IndexRun> seen,
                                                               const ClusterRuns& runs, const Bounds& all,
                                                               const glm::vec3& forward, std::size_t groups);
-
-/// Of the edges of a target, what visibleRuns() says of triangles.
-[[nodiscard]] std::optional<IndexRuns> visibleEdges(const DrawItem& item, const Frame& frame,
-                                                    const DeformationPipeline& pipeline,
-                                                    const glm::mat4& viewProjection,
-                                                    const PictureWindow& window);
 
 }  // namespace hitscope::render
