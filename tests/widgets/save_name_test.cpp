@@ -2,6 +2,7 @@
 // What is saved from the window replaces nothing that the person did not mean.
 #include <QAction>
 #include <QApplication>
+#include <QDir>
 #include <QFileDialog>
 #include <QLineEdit>
 #include <QMessageBox>
@@ -58,6 +59,7 @@ private Q_SLOTS:
     void aSessionThatOthersChangedIsNotReplacedUnasked();
     void anExportOverItsMeshSaysWhatComesOfIt();
     void aRefinedMeshIsExportedAgain();
+    void aKnownSuffixDecidesTheFormat();
 
 private:
     [[nodiscard]] QString at(const char* name) const { return m_folder->filePath(QLatin1String(name)); }
@@ -187,6 +189,29 @@ void SaveNameTest::anExportOverItsMeshSaysWhatComesOfIt() {
     const QString written = at("ball.obj");
     QTRY_COMPARE_WITH_TIMEOUT(knownContentOf(*m_window, written), meshFileAt(written).sha256, kPatience);
     QVERIFY(reloader.changedFiles().isEmpty());
+}
+
+/// What is named is written, in the format that its name says.
+void SaveNameTest::aKnownSuffixDecidesTheFormat() {
+    auto& exports = *m_window->findChild<ExportActions*>();
+    const auto written = [&](const char* name) {
+        QSignalSpy ended(&exports, &ExportActions::ended);
+        answer(at(name), QStringLiteral("Cancel"));
+        key(Qt::Key_E, Qt::ControlModifier);
+        const bool isEnded = QTest::qWaitFor([&] { return ended.size() == 1; }, kPatience);
+        delete m_window->findChild<QTimer*>(QString(), Qt::FindDirectChildrenOnly);
+        return isEnded;
+    };
+    QVERIFY(written("dented.PLY"));  // the dialog is for OBJ
+    QVERIFY2(contentOf(at("dented.PLY")).startsWith("ply\nformat binary"), "no PLY");
+    QVERIFY(written("dented.csv"));
+    QVERIFY(!contentOf(at("dented.csv")).isEmpty());
+    QVERIFY(written("dented.fbx"));  // Hitscope writes none
+    QVERIFY(contentOf(at("dented.fbx.obj")).contains("\nv "));
+    QCOMPARE(QDir(m_folder->path()).entryList({QStringLiteral("dented*")}, QDir::Files, QDir::Name),
+             QStringList({QStringLiteral("dented.PLY"), QStringLiteral("dented.csv"),
+                          QStringLiteral("dented.fbx.obj")}));
+    QVERIFY2(m_asked.isEmpty(), qPrintable(m_asked.join(u' ')));
 }
 
 HITSCOPE_TEST(SaveNameTest, QApplication)

@@ -43,6 +43,30 @@ bool isSameSource(const TargetSource& a, const TargetSource& b) {
                                                : a == b && !std::holds_alternative<std::monostate>(a);
 }
 
+/// What the name says of the format goes before what was chosen, as on the command line. PLY is binary where
+/// text was not chosen.
+ExportOptions namedAs(const QString& path, ExportOptions options) {
+    const QString suffix = QFileInfo(path).suffix();
+    const std::optional<ExportFormat> named = exportFormatOf(path);
+    if (named && suffix.compare(QLatin1String(traitsOf(options.format).suffix), Qt::CaseInsensitive) != 0) {
+        const ExportFormatTraits& traits = traitsOf(*named);
+        options.format = *named;
+        options.allNormals = options.allNormals && traits.hasNormals;
+        options.steps = traits.hasSteps ? options.steps : 0;
+        options.readBack = options.readBack && *named != ExportFormat::Csv;
+    }
+    return options;
+}
+
+/// Those of all formats, the chosen one's first: a name that has one of them is left as it is.
+QStringList suffixesFrom(const QString& chosen) {
+    QStringList suffixes{chosen};
+    for (const ExportFormatTraits& traits : exportFormats()) {
+        suffixes += QLatin1String(traits.suffix);
+    }
+    return suffixes;
+}
+
 QString exportName(const Target& target) {
     return target.sourcePath.isEmpty() ? target.name : QFileInfo(target.sourcePath).completeBaseName();
 }
@@ -167,13 +191,14 @@ void ExportActions::choose() {
         return;
     }
     dialog.save(*ChangedSettings());
-    const ExportOptions options = dialog.options();
+    ExportOptions options = dialog.options();
     const NormalMode shown = m_viewport.options().normals;
     m_settings.exportNormals = options.normals == shown ? std::nullopt : std::optional(options.normals);
     const bool isAny = !targets(dialog.scope()).empty();
     const QString path = isAny ? choosePath(targets(dialog.scope()), options.format) : QString();
     const std::vector<const Target*> chosen = targets(dialog.scope());  // as they are after the questions
     if (!path.isEmpty() && !chosen.empty()) {
+        options = namedAs(path, options);
         m_last = Last{path, dialog.scope(), {}, options};
         for (const Target* each : chosen) {
             m_last->targets.push_back({each->id, each->name, each->source});
@@ -212,7 +237,7 @@ QString ExportActions::choosePath(const std::vector<const Target*>& targets, Exp
                     .suggested = suggestedPath(existingFolder(m_settings.folder), name,
                                                QStringLiteral("_deformed.") + suffix),
                     .filters = {tr("%1 (*.%2)").arg(tr(traitsOf(format).name), suffix)},
-                    .suffixes = {suffix},
+                    .suffixes = suffixesFrom(suffix),
                     .consequence = [this](const QString& chosen) { return whatReplacingDoes(chosen); }});
     if (!path.isEmpty()) {
         m_settings.folder = QFileInfo(path).absolutePath();

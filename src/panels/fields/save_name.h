@@ -12,9 +12,11 @@ namespace hitscope {
 /// What a dialog asks that is to save a file.
 struct SaveName {
     QString title;
-    QString suggested;     ///< a name, or a path
-    QStringList filters;   ///< "JSON (*.json)"; the first is chosen
-    QStringList suffixes;  ///< of each filter: "json". A name with none of them gets the chosen filter's
+    QString suggested;    ///< a name, or a path
+    QStringList filters;  ///< "JSON (*.json)"; the first is chosen
+    /// Of each filter: "json". A name with none of them gets the chosen filter's; further ones are taken,
+    /// too.
+    QStringList suffixes;
     /// What comes of replacing an existing file of that path, a sentence; empty: nothing that is not plain.
     std::function<QString(const QString& path)> consequence = {};
 };
