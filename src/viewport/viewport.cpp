@@ -197,6 +197,15 @@ void Viewport::frameAll(Navigation::Arrival arrival) {
     m_navigation.frame(m_session.targets().bounds(), arrival);
 }
 
+/// The lens stays, as it does from one window to the next.
+void Viewport::frameAsAtFirst() {
+    Camera camera;
+    camera.setProjection(m_navigation.goal().projectionKind());
+    camera.setFieldOfView(m_navigation.goal().fieldOfView());
+    m_navigation.setCamera(camera, Navigation::Arrival::AtOnce);
+    frameAll(Navigation::Arrival::AtOnce);
+}
+
 void Viewport::frameSelection() {
     Bounds bounds;
     for (const TargetId id : m_session.targets().allSelected()) {

@@ -46,6 +46,7 @@ public:
     [[nodiscard]] Navigation& navigation() { return m_navigation; }
     [[nodiscard]] const Camera& camera() const { return m_navigation.camera(); }
     void frameAll(Navigation::Arrival arrival = Navigation::Arrival::Glide);
+    void frameAsAtFirst();  ///< all targets, from where a window that opens looks at them
     void frameSelection();  ///< the selected target; all if none is
     /// Frames all where the selected target is out of the picture.
     void bringSelectionIntoSight();

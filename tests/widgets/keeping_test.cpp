@@ -30,6 +30,7 @@ private Q_SLOTS:
     void recentFilesOfAllWindowsStay();
     void saysThatSettingsCannotBeSaved();
     void habitKeysSaveAndStartAnew();
+    void aNewSessionBeginsWithTheFirstView();
     void signalsEndInOrder_data();
     void signalsEndInOrder();
     void platformsWithoutWindowsAreNamed();
@@ -131,6 +132,25 @@ void KeepingTest::habitKeysSaveAndStartAnew() {
     QTest::keyClick(&m_window->viewport(), Qt::Key_N, Qt::ControlModifier);
     QTRY_COMPARE_WITH_TIMEOUT(m_session->sceneName().toLower(), QStringLiteral("teapot"), kPatience);
     QVERIFY(sessions->path().isEmpty());
+}
+
+void KeepingTest::aNewSessionBeginsWithTheFirstView() {
+    makeWindow([](Session& session) { loadTeapot(session); });
+    Viewport& viewport = m_window->viewport();
+    const Camera first = viewport.camera();
+    Camera below = first;
+    below.orbit(1.0f, -1.5f);
+    viewport.navigation().setCamera(below, Navigation::Arrival::AtOnce);
+    QVERIFY(viewport.camera().eye().y < m_session->targets().floorHeight());
+    QTest::keyClick(&viewport, Qt::Key_N, Qt::ControlModifier);
+    const Camera& now = viewport.camera();
+    QTRY_COMPARE_WITH_TIMEOUT(now.pitch(), first.pitch(), kPatience);
+    QCOMPARE(now.yaw(), first.yaw());
+    QCOMPARE(now.distance(), first.distance());
+    QVERIFY(now.pivot() == first.pivot());
+    viewport.navigation().setProjection(Projection::Orthographic);
+    QTest::keyClick(&viewport, Qt::Key_N, Qt::ControlModifier);
+    QVERIFY(viewport.camera().isOrthographic());  // the lens is a habit
 }
 
 void KeepingTest::signalsEndInOrder_data() {

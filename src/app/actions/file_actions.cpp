@@ -145,6 +145,7 @@ void FileActions::startNew() {
     giveUpOpening();
     loadTeapot(m_parts.session);
     m_parts.sessions.leave();
+    Q_EMIT startedNew();
 }
 
 void FileActions::takeSession(const QString& path, const QStringList& notes) {

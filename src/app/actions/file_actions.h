@@ -65,7 +65,8 @@ public:
 
 Q_SIGNALS:
     void said(const QString& text);
-    void opened();  ///< the settings know of it
+    void opened();      ///< the settings know of it
+    void startedNew();  ///< a new session
 
 private:
     [[nodiscard]] static QString sessionsFilter();

@@ -48,6 +48,7 @@ void WindowActions::make(const Parts& parts) {
     exports = new ExportActions(session, viewport, parts.settings, window);
     file = new FileActions({session, parts.settings, parts.files, parts.sessions, parts.guard,
                             *textureLocator, parts.notice, window});
+    QObject::connect(file, &FileActions::startedNew, &viewport, &Viewport::frameAsAtFirst);
     collector = new SessionCollector(session, parts.sessions, parts.view.functions().capture, window);
     edit = new EditActions(session, &window);
     display = new DisplayActions(viewport, *textureChooser, &window);
