@@ -69,6 +69,7 @@ void Session::loadScene(ScenePlan plan, SessionUndo::Kind kind) {
     const bool isFirst = m_targets.empty() && m_undo.size() == 0;
     SceneState before = isFirst ? SceneState{} : scene();
     clearScene();
+    m_simulation.setTime(0.0);
     m_targets.replace(std::move(plan.targets), plan.floorHeight);
     m_sceneName = plan.name;
     const Bounds bounds = m_targets.bounds();
@@ -138,6 +139,11 @@ void Session::show(const SceneState& scene) {
         m_settings.restoreCut(*scene.cut);
     }
     m_hits.bringBack(scene.hits);
+    double latest = m_simulation.physics().clock().time();
+    for (const Hit& hit : scene.hits) {
+        latest = std::max(latest, hit.time);
+    }
+    m_simulation.setTime(latest);  // those to come are later
 }
 
 // Steps to undo

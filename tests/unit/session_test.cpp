@@ -144,6 +144,26 @@ private Q_SLOTS:
         session.undo();
         QCOMPARE(session.hits().history().size(), std::size_t{1});
     }
+
+    void timeBeginsWithTheScene() {
+        Session session;
+        loadTeapot(session);
+        const auto time = [&session] { return session.simulation().physics().clock().time(); };
+        session.simulation().setTime(700.0);
+        Hit hit;
+        hit.target = session.targets()[0]->id;
+        hit.time = 650.0;
+        QVERIFY(session.hits().add(hit));
+        loadTeapot(session);
+        QCOMPARE(time(), 0.0);
+        session.simulation().advance(0.1);
+        session.undo();
+        QCOMPARE(time(), 650.0);  // the next hit is later than those there are
+        session.redo();
+        session.simulation().setTime(800.0);
+        session.undo();
+        QCOMPARE(time(), 800.0);
+    }
 };
 
 HITSCOPE_TEST(SessionTest, QCoreApplication)
