@@ -34,6 +34,7 @@ private Q_SLOTS:
     }
     void cleanup() { dropWindow(); }
     void refineKeepsVerticesAndHits();
+    void refineProposesWhatChangesTheMesh();
     void exportedComesBack();
     void saysWhatIsWrong();
     void simplifyAndSmoothApplyHits();
@@ -141,6 +142,20 @@ void MeshDialogsTest::refineKeepsVerticesAndHits() {
     QTRY_VERIFY_WITH_TIMEOUT(mesh().vertexCount() > before.vertexCount() + 50, kPatience);
 }
 
+void MeshDialogsTest::refineProposesWhatChangesTheMesh() {
+    hit();
+    for (int time = 0; time < 3; ++time) {  // the first has edges short enough for the hit
+        const std::size_t before = mesh().vertexCount();
+        MeshStepDialog* dialog = open(QStringLiteral("Refine…"));
+        QVERIFY(dialog != nullptr);
+        const QString said = result(*dialog);
+        QVERIFY2(said.startsWith(QStringLiteral("Vertices: ")), qPrintable(said));
+        accept(*dialog);
+        QVERIFY(mesh().vertexCount() > before);
+        QTRY_VERIFY_WITH_TIMEOUT(m_window->findChild<MeshStepDialog*>() == nullptr, kPatience);
+    }
+}
+
 /// In each format that keeps vertices apart the dented shape comes back.
 void MeshDialogsTest::exportedComesBack() {
     hit();
@@ -175,10 +190,13 @@ void MeshDialogsTest::saysWhatIsWrong() {
     QVERIFY2(result(*dialog).contains(QStringLiteral("edge length"), Qt::CaseInsensitive),
              qPrintable(result(*dialog)));
     QVERIFY(!part<QPushButton>(*dialog, "accept").isEnabled());
-    type(*dialog, "edgeLength", "1");
+    type(*dialog, "edgeLength", "0.3");
     QVERIFY(!part<QPushButton>(*dialog, "accept").isEnabled());
     QVERIFY(result(*dialog).startsWith(QStringLiteral("Vertices: ")));
     QVERIFY(part<QPushButton>(*dialog, "accept").isEnabled());
+    type(*dialog, "edgeLength", "9");
+    QVERIFY(result(*dialog).startsWith(QStringLiteral("The mesh stays as it is")));
+    QVERIFY(!part<QPushButton>(*dialog, "accept").isEnabled());
     part<QComboBox>(*dialog, "method").setCurrentIndex(2);
     QVERIFY(!part<QCheckBox>(*dialog, "keepQuads").isEnabled());
     dialog->reject();
@@ -236,7 +254,7 @@ void MeshDialogsTest::returnAccepts_data() {
     QTest::addColumn<QString>("text");
     QTest::newRow("simplify") << QStringLiteral("Simplify…") << QByteArray("share") << QString();
     QTest::newRow("smooth") << QStringLiteral("Smooth…") << QByteArray("passes") << QString();
-    QTest::newRow("refine") << QStringLiteral("Refine…") << QByteArray("edgeLength") << QStringLiteral("0.4");
+    QTest::newRow("refine") << QStringLiteral("Refine…") << QByteArray("edgeLength") << QStringLiteral("0.2");
 }
 
 /// Once, whether it is known what comes of it or not yet.
@@ -259,6 +277,7 @@ void MeshDialogsTest::returnAccepts() {
         QTest::keyClick(&field, Qt::Key_Return);
         QTRY_VERIFY_WITH_TIMEOUT(target().id != before, kPatience);
         QTRY_VERIFY_WITH_TIMEOUT(m_window->findChild<MeshStepDialog*>() == nullptr, kPatience);
+        m_session->undo();  // what is refined already stays as it is
     }
 }
 

@@ -33,6 +33,10 @@ constexpr int kPreviewAfter = 250;     // milliseconds after the last change
 constexpr float kUsualParts = 100.0f;  // edges along a mesh's largest extent
 constexpr float kPartsOfReach = 5.0f;  // edges from a hit to the end of its reach
 
+float twoDigitsOf(float length, float otherwise) {
+    return std::isfinite(length) && length > 0.0f ? QString::number(length, 'g', 2).toFloat() : otherwise;
+}
+
 bool hasEnabled(const std::vector<Hit>& hits) {
     return std::any_of(hits.begin(), hits.end(), [](const Hit& hit) { return hit.enabled; });
 }
@@ -43,11 +47,35 @@ bool hasEnabled(const std::vector<Hit>& hits) {
 struct MeshStepDialog::Preview {
     std::shared_ptr<const MeshData> mesh;
     MeshEdit edit;
+    bool proposesLength = false;  ///< at most that of `edit`
     std::atomic<bool> cancelled = false;
     Status status = Done{};
     std::size_t vertices = 0;
     std::size_t faces = 0;
+
+    void make();
+    /// What is refined already gets a length that changes something.
+    void proposeLength();
 };
+
+void MeshStepDialog::Preview::proposeLength() {
+    const float half = twoDigitsOf(longestEdge(*mesh, edit) / 2.0f, std::numeric_limits<float>::infinity());
+    float& length = std::get<RefineOptions>(edit.step).edgeLength;
+    length = std::min(length, half);
+}
+
+void MeshStepDialog::Preview::make() {
+    if (proposesLength) {
+        proposeLength();
+    }
+    const Result<EditedMesh> made = edited(*mesh, edit, [this](double) { return !cancelled; });
+    if (made) {
+        vertices = made.value().mesh.vertexCount();
+        faces = made.value().mesh.faceCount();
+    } else {
+        status = made.error();
+    }
+}
 
 MeshStepDialog::MeshStepDialog(Kind kind, std::shared_ptr<const MeshData> mesh, const QString& target,
                                MeshEdit edit, QWidget* parent)
@@ -92,7 +120,7 @@ MeshStepDialog::~MeshStepDialog() {
     stopPreview();
 }
 
-/// Short enough for dents where there are hits, else a hundredth of the mesh; two digits of it.
+/// Short enough for dents where there are hits, else a hundredth of the mesh.
 float MeshStepDialog::usualLength() const {
     float length = std::numeric_limits<float>::infinity();
     for (const Hit& hit : m_edit.hits) {
@@ -102,7 +130,7 @@ float MeshStepDialog::usualLength() const {
         const glm::vec3 size = m_mesh->bounds().size();
         length = std::max({size.x, size.y, size.z}) / kUsualParts;
     }
-    return std::isfinite(length) && length > 0.0f ? QString::number(length, 'g', 2).toFloat() : 0.1f;
+    return twoDigitsOf(length, 0.1f);
 }
 
 void MeshStepDialog::makeRefineRows(QFormLayout& form) {
@@ -111,7 +139,7 @@ void MeshStepDialog::makeRefineRows(QFormLayout& form) {
     m_length->setRange(1.0e-9, 1.0e9);
     m_length->setSuffix(tr(" m"));
     m_length->setToolTip(tr("No edge in the region is longer afterwards"));
-    m_length->showNumber(static_cast<double>(usualLength()));
+    propose(usualLength());
     m_length->setFocus();
     m_length->selectAll();
     form.addRow(tr("&Edge length:"), m_length);
@@ -127,9 +155,21 @@ void MeshStepDialog::makeRefineRows(QFormLayout& form) {
     m_keepQuads->setToolTip(tr("Otherwise polygons that are too large are cut into triangles"));
     m_keepQuads->setChecked(true);
     form.addRow({}, m_keepQuads);
-    connect(m_length, &NumberBox::edited, this, &MeshStepDialog::follow);
+    connect(m_length, &NumberBox::edited, this, [this](double length) {
+        m_proposesLength = m_proposesLength && length == static_cast<double>(m_proposed);
+        follow();
+    });
     connect(m_method, &QComboBox::currentIndexChanged, this, &MeshStepDialog::follow);
     connect(m_keepQuads, &QCheckBox::toggled, this, &MeshStepDialog::follow);
+}
+
+void MeshStepDialog::propose(float length) {
+    const double before = m_length->value();
+    m_proposed = length;
+    m_length->showNumber(static_cast<double>(length));
+    if (m_length->hasFocus() && m_length->value() != before) {
+        m_length->selectAll();  // who types replaces it
+    }
 }
 
 void MeshStepDialog::makeOtherRows(QFormLayout& form) {
@@ -251,19 +291,13 @@ void MeshStepDialog::beginPreview() {
     const auto preview = std::make_shared<Preview>();
     preview->mesh = m_mesh;
     preview->edit = edit();
+    if (m_kind == Kind::Refine && m_proposesLength) {
+        preview->proposesLength = true;
+        std::get<RefineOptions>(preview->edit.step).edgeLength = usualLength();
+    }
     m_preview = preview;
     workBeside(
-        this,
-        [preview] {
-            const Result<EditedMesh> made =
-                edited(*preview->mesh, preview->edit, [&preview](double) { return !preview->cancelled; });
-            if (made) {
-                preview->vertices = made.value().mesh.vertexCount();
-                preview->faces = made.value().mesh.faceCount();
-            } else {
-                preview->status = made.error();
-            }
-        },
+        this, [preview] { preview->make(); },
         [preview](MeshStepDialog& self, bool done) {
             if (self.m_preview == preview) {
                 self.showPreview(*preview, done);
@@ -271,22 +305,31 @@ void MeshStepDialog::beginPreview() {
         });
 }
 
-void MeshStepDialog::showPreview(const Preview& preview, bool done) {
-    if (!done) {
-        m_result->setText(tr("There is not enough memory for it."));
-    } else if (!preview.status) {
-        m_result->setText(QString::fromStdString(preview.status.error().message()));
-    } else {
-        QString text = tr("Vertices: %1 → %2. Faces: %3 → %4.")
-                           .arg(countText(m_mesh->vertexCount()), countText(preview.vertices),
-                                countText(m_mesh->faceCount()), countText(preview.faces));
-        if (preview.vertices > kManyVertices) {
-            text +=
-                u' ' + tr("Steps before it may be forgotten: what is kept to undo takes 512 MiB at most.");
-        }
-        m_result->setText(text);
+QString MeshStepDialog::resultText(const Preview& preview, bool changes) const {
+    if (!preview.status) {
+        return QString::fromStdString(preview.status.error().message());
     }
-    enableIf(*m_accept, done && preview.status.ok(), tr("Nothing comes of it."));
+    if (!changes) {
+        return tr("The mesh stays as it is: no edge there is longer.");
+    }
+    QString text = tr("Vertices: %1 → %2. Faces: %3 → %4.")
+                       .arg(countText(m_mesh->vertexCount()), countText(preview.vertices),
+                            countText(m_mesh->faceCount()), countText(preview.faces));
+    if (preview.vertices > kManyVertices) {
+        text += u' ' + tr("Steps before it may be forgotten: what is kept to undo takes 512 MiB at most.");
+    }
+    return text;
+}
+
+void MeshStepDialog::showPreview(const Preview& preview, bool done) {
+    if (preview.proposesLength) {
+        propose(std::get<RefineOptions>(preview.edit.step).edgeLength);
+        m_choice = choice();
+    }
+    const bool changes = m_kind != Kind::Refine || preview.vertices != m_mesh->vertexCount() ||
+                         preview.faces != m_mesh->faceCount();
+    m_result->setText(done ? resultText(preview, changes) : tr("There is not enough memory for it."));
+    enableIf(*m_accept, done && preview.status.ok() && changes, tr("Nothing comes of it."));
     m_preview.reset();
     if (m_acceptsWhenReady && m_accept->isEnabled()) {
         accept();

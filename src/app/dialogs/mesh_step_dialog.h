@@ -47,6 +47,8 @@ private:
     [[nodiscard]] float usualLength() const;
     void follow();
     void beginPreview();
+    [[nodiscard]] QString resultText(const Preview& preview, bool changes) const;
+    void propose(float length);
     void showPreview(const Preview& preview, bool done);
     void stopPreview();
 
@@ -66,6 +68,8 @@ private:
     QTimer m_soon;
     std::shared_ptr<Preview> m_preview;  ///< null: none is worked out
     std::optional<Choice> m_choice;      ///< that the preview is of
+    float m_proposed = 0.0f;             ///< length
+    bool m_proposesLength = true;        ///< nobody has chosen another
     bool m_acceptsWhenReady = false;     ///< Return was pressed before it was known what comes of it
 };
 

@@ -2,6 +2,7 @@
 #include "session/mesh_steps/mesh_edit.h"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 #include <string>
 #include <utility>
 
@@ -154,6 +155,24 @@ Result<EditedMesh> edited(const MeshData& mesh, const MeshEdit& edit, const Mesh
         return done.error();
     }
     return made;
+}
+
+float longestEdge(const MeshData& mesh, const MeshEdit& edit) {
+    const Result<MeshRegion> region = regionOf(edit, mesh, mesh);
+    if (!region) {
+        return 0.0f;
+    }
+    const std::vector<bool> isIn = RegionTest(mesh, region.value()).faces();
+    double longest = 0.0;
+    for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
+        const std::span<const std::uint32_t> face = mesh.face(f);
+        for (std::size_t i = 0; isIn[f] && i < face.size(); ++i) {
+            const glm::dvec3 from(mesh.positions[face[i]]);
+            const glm::dvec3 to(mesh.positions[face[(i + 1) % face.size()]]);
+            longest = std::max(longest, glm::distance(from, to));
+        }
+    }
+    return static_cast<float>(longest);
 }
 
 TargetState stateWith(const TargetState& target, EditedMesh mesh) {

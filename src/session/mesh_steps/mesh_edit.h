@@ -45,6 +45,9 @@ struct EditedMesh {
 [[nodiscard]] Result<EditedMesh> edited(const MeshData& mesh, const MeshEdit& edit,
                                         const MeshGoOn& goOn = {});
 
+/// Of the faces that such an edit is about, as the mesh is: metres; 0: there are none. On any thread.
+[[nodiscard]] float longestEdge(const MeshData& mesh, const MeshEdit& edit);
+
 /// The target with that mesh: all that takes time to make. On any thread.
 [[nodiscard]] TargetState stateWith(const TargetState& target, EditedMesh mesh);
 
