@@ -244,18 +244,27 @@ bool DiscardGuard::askAndWait() {
 void DiscardGuard::exportBegins(const std::vector<const Target*>& targets, const QString& path) {
     const std::map<TargetId, State> shown = states(m_session.hits().shown());
     const std::uint64_t work = workOnTargets(m_session.steps());
+    Writing& writing = m_writing.emplace_back(Writing{path, {}});
     for (const Target* target : targets) {
         const auto state = shown.find(target->id);
-        m_writing.emplace(path, Writing{target->id, {state != shown.end() ? state->second : kStart, work}});
+        writing.targets[target->id] = {state != shown.end() ? state->second : kStart, work, path};
     }
 }
 
 void DiscardGuard::exportEnds(const QString& path, bool isWritten) {
-    const auto [first, end] = m_writing.equal_range(path);
-    for (auto writing = first; isWritten && writing != end; ++writing) {
-        m_exported[writing->second.target] = writing->second.state;
+    const auto writing = std::find_if(m_writing.begin(), m_writing.end(),
+                                      [&path](const Writing& one) { return one.path == path; });
+    if (writing == m_writing.end()) {
+        return;
     }
-    m_writing.erase(first, end);
+    if (isWritten) {
+        // What it held before is gone.
+        std::erase_if(m_exported, [&path](const auto& one) { return one.second.path == path; });
+        for (const auto& [target, state] : writing->targets) {
+            m_exported[target] = state;
+        }
+    }
+    m_writing.erase(writing);
 }
 
 }  // namespace hitscope

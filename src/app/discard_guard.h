@@ -56,7 +56,8 @@ public:
         }
     }
 
-    /// To be told of every export of targets as they are shown now, and of its end.
+    /// To be told of every export of targets as they are shown now, and of its end. Those to one file end in
+    /// the order that they began in.
     void exportBegins(const std::vector<const Target*>& targets, const QString& path);
     void exportEnds(const QString& path, bool isWritten);
     /// The same for files of all hits.
@@ -72,10 +73,11 @@ private:
     struct Exported {
         State hits = 0;
         std::uint64_t work = 0;  ///< workOnTargets() then
+        QString path;
     };
     struct Writing {
-        TargetId target;
-        Exported state;
+        QString path;
+        std::map<TargetId, Exported> targets;
     };
 
     [[nodiscard]] std::map<TargetId, State> states(std::span<const Hit> hits) const;
@@ -94,10 +96,10 @@ private:
     QWidget& m_window;
     BeginSave m_beginSave;
     std::map<TargetId, Exported> m_exported;
-    std::multimap<QString, Writing> m_writing;  ///< several: all targets in one file
-    std::function<void()> m_then;               ///< after the save that is under way; empty: none is awaited
-    std::function<void()> m_instead;            ///< where that is not saved
-    std::optional<State> m_keptHits;            ///< of all hits: no question about these
+    std::vector<Writing> m_writing;   ///< in the order that they began in
+    std::function<void()> m_then;     ///< after the save that is under way; empty: none is awaited
+    std::function<void()> m_instead;  ///< where that is not saved
+    std::optional<State> m_keptHits;  ///< of all hits: no question about these
     std::optional<State> m_writingHits;
     QPointer<QMessageBox> m_box;
 };

@@ -18,8 +18,9 @@ MeshExporter::~MeshExporter() {
     m_writer.waitForDone();
 }
 
-void MeshExporter::start(SceneExport what, const QString& name, const QString& path) {
+int MeshExporter::start(SceneExport what, const QString& name, const QString& path) {
     auto job = std::make_shared<Job>();
+    job->number = ++m_last;
     job->name = name;
     job->path = path;
     job->what = std::move(what);
@@ -34,6 +35,7 @@ void MeshExporter::start(SceneExport what, const QString& name, const QString& p
     m_jobs.push_back(job);
     Q_EMIT begun(path);
     m_writer.start([this, job] { write(job); });
+    return job->number;
 }
 
 /// On the other thread.
@@ -72,7 +74,7 @@ void MeshExporter::take(const std::shared_ptr<Job>& job, const Result<ExportRepo
     } else {
         Q_EMIT failed(written.error());
     }
-    Q_EMIT ended(job->path, written.ok());
+    Q_EMIT ended(job->path, written.ok(), job->number);
 }
 
 }  // namespace hitscope

@@ -25,8 +25,8 @@ public:
     explicit MeshExporter(TaskList& tasks, QObject* parent = nullptr);
     ~MeshExporter() override;
 
-    /// `name`: what it is of, for people.
-    void start(SceneExport what, const QString& name, const QString& path);
+    /// `name`: what it is of, for people. Returns the job's number: others may be for the same file.
+    int start(SceneExport what, const QString& name, const QString& path);
     [[nodiscard]] bool isRunning() const { return !m_jobs.empty(); }
 
 Q_SIGNALS:
@@ -34,11 +34,12 @@ Q_SIGNALS:
     /// The rest is ExportReport's.
     void exported(const QString& name, const QString& path, const QStringList& notes, bool wasReadBack);
     void failed(const hitscope::Error& error);
-    void cancelled();                                 ///< the file is as it was
-    void ended(const QString& path, bool isWritten);  ///< after one of these
+    void cancelled();                                          ///< the file is as it was
+    void ended(const QString& path, bool isWritten, int job);  ///< after one of these
 
 private:
     struct Job {
+        int number = 0;
         QString name;
         QString path;
         SceneExport what;
@@ -50,6 +51,7 @@ private:
 
     TaskList& m_tasks;
     std::list<std::shared_ptr<Job>> m_jobs;
+    int m_last = 0;  ///< number given
     QThreadPool m_writer;
 };
 

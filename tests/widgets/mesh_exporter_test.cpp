@@ -7,6 +7,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "app/discard_guard.h"
 #include "app/mesh_exporter.h"
 #include "mesh/primitives.h"
 #include "session/task_list.h"
@@ -128,6 +129,50 @@ private Q_SLOTS:
         QVERIFY(window.exportTo(path("again.obj")).ok());
         QVERIFY(!contentOf(path("again.obj")).isEmpty());
         QCOMPARE(contentOf(path("window.obj")), contentOf(path("again.obj")));
+    }
+
+    /// The first file does not stand for what a second of the same name was to hold.
+    void eachExportOfAFileIsOneOfItsOwn() {
+        Session session;
+        loadMesh(session, makeHighPolyCube(2.5f));
+        MainWindow window(session);
+        auto& guard = *window.findChild<DiscardGuard*>();
+        Hit hit;
+        hit.target = target(session).id;
+        QVERIFY(session.hits().add(hit).ok());
+        guard.exportBegins({&target(session)}, path("same.obj"));
+        QVERIFY(session.hits().add(hit).ok());
+        guard.exportBegins({&target(session)}, path("same.obj"));
+        guard.exportEnds(path("same.obj"), true);
+        QVERIFY(guard.isAtRisk());
+        guard.exportEnds(path("same.obj"), false);
+        QVERIFY(guard.isAtRisk());
+        session.undo();
+        QVERIFY(!guard.isAtRisk());
+        session.targets().duplicate({&target(session).id, 1});
+        const Target& copy = *session.targets().back();
+        guard.exportBegins({&target(session), &copy}, path("both.obj"));
+        guard.exportEnds(path("both.obj"), true);
+        QVERIFY(!guard.isAtRisk());
+        guard.exportBegins({&copy}, path("both.obj"));
+        guard.exportEnds(path("both.obj"), true);
+        QVERIFY(guard.isAtRisk());  // the file of the first is gone
+    }
+
+    void theJobThatEndsIsNamed() {
+        Session session;
+        loadMesh(session, makeHighPolyCube(2.5f));
+        MeshExporter exporter(session.tasks());
+        QSignalSpy ended(&exporter, &MeshExporter::ended);
+        std::vector<int> jobs;
+        for (int job = 0; job < 2; ++job) {
+            jobs.push_back(
+                exporter.start(copied(session, NormalMode::True), QStringLiteral("cube"), path("twice.obj")));
+        }
+        QTRY_COMPARE_WITH_TIMEOUT(ended.size(), 2, kPatience);
+        QCOMPARE(ended[0][2].toInt(), jobs[0]);
+        QCOMPARE(ended[1][2].toInt(), jobs[1]);
+        QVERIFY(jobs[0] != jobs[1]);
     }
 };
 

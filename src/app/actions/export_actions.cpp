@@ -300,17 +300,17 @@ bool ExportActions::writeTarget(TargetId target, const QString& path) {
     }
     bool isDone = false;
     m_handedOver = path;
+    const int job = m_exporter->start(copyForExport(m_session, {&found, 1}, shownAs(path, {})),
+                                      tr("“%1”").arg(found->name), path);
     QEventLoop waiting;
-    connect(m_exporter, &MeshExporter::ended, &waiting, [&](const QString& of, bool isWritten) {
-        if (of == path) {
+    connect(m_exporter, &MeshExporter::ended, &waiting, [&](const QString&, bool isWritten, int of) {
+        if (of == job) {
             isDone = isWritten;
             waiting.quit();
         }
     });
     connect(m_exporter, &QObject::destroyed, &waiting, &QEventLoop::quit);
     connect(QCoreApplication::instance(), &QCoreApplication::aboutToQuit, &waiting, &QEventLoop::quit);
-    m_exporter->start(copyForExport(m_session, {&found, 1}, shownAs(path, {})), tr("“%1”").arg(found->name),
-                      path);
     waiting.exec(QEventLoop::ExcludeUserInputEvents);
     return isDone;
 }
