@@ -70,6 +70,16 @@ SessionDocument captureSettings(const Session& session, const CapturedView& view
     return document;
 }
 
+SessionDocument captureTargets(const Session& session, const std::set<TargetId>& targets) {
+    SessionDocument document;
+    for (const TargetId id : targets) {
+        if (const Target* target = session.targets().find(id)) {
+            document.targets.push_back(saved(*target));
+        }
+    }
+    return document;
+}
+
 SessionDocument captureHits(const Session& session, const CapturedView& view) {
     SessionDocument document = captureSettings(session, view);
     const std::span<const Hit> hits = session.hits().history().hits();

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <map>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -26,6 +27,9 @@ struct CapturedView {
 
 /// Everything of it but hits and fingerprints, for what is captured often.
 [[nodiscard]] SessionDocument captureSettings(const Session& session, const CapturedView& view);
+
+/// Of these targets that there are, nothing else.
+[[nodiscard]] SessionDocument captureTargets(const Session& session, const std::set<TargetId>& targets);
 
 /// Everything of it but fingerprints: see copyPositions().
 [[nodiscard]] SessionDocument captureHits(const Session& session, const CapturedView& view);

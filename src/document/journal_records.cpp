@@ -2,10 +2,11 @@
 #include "document/journal_records.h"
 
 #include <algorithm>
-#include <charconv>
+#include <map>
 #include <optional>
 
 #include "deform/fingerprint.h"
+#include "document/checked_lines.h"
 #include "document/document_parts.h"
 #include "document/field_reader.h"
 #include "document/hit_pieces.h"
@@ -13,17 +14,6 @@
 namespace hitscope {
 
 namespace {
-
-constexpr std::size_t kDigits = 16;
-
-std::uint64_t checksum(std::uint64_t number, std::string_view json) {
-    Fingerprint print;
-    print.add(number);
-    for (const char c : json) {
-        print.add(static_cast<std::uint8_t>(c));
-    }
-    return print.value();
-}
 
 /// An edit of the history, for writing and for reading.
 struct WrittenEdit {
@@ -42,6 +32,7 @@ struct EditLine {
 struct SetLine {
     std::span<const Section> sections;
     const SessionDocument& document;
+    std::string_view key = "set";
 };
 struct SetObject {
     const SetLine& line;
@@ -108,7 +99,7 @@ struct Fields<SetObject> {
 
 template <>
 struct Fields<SetLine> {
-    static void visit(FieldWriter& writer, const SetLine& line) { writer.object("set", SetObject{line}); }
+    static void visit(FieldWriter& writer, const SetLine& line) { writer.object(line.key, SetObject{line}); }
 };
 
 template <>
@@ -138,7 +129,7 @@ struct Fields<ReadSections> {
 // Writing
 
 std::string JournalLines::line(std::string_view json) {
-    std::string text = fingerprintText(checksum(m_number++, json));
+    std::string text = fingerprintText(lineChecksum(m_number++, json));
     text.reserve(text.size() + json.size() + 2);
     text += ' ';
     text += json;
@@ -168,6 +159,13 @@ std::string JournalLines::set(std::span<const Section> sections, const SessionDo
     return line(json);
 }
 
+std::string JournalLines::someTargets(const SessionDocument& part) {
+    constexpr Section kTargets = Section::Targets;
+    std::string json;
+    FieldWriter(json, FieldWriter::Layout::Compact).whole({}, SetLine{{&kTargets, 1}, part, "some"});
+    return line(json);
+}
+
 std::string JournalLines::picture(const QByteArray& jpeg) {
     std::string json;
     FieldWriter(json, FieldWriter::Layout::Compact).whole({}, PictureLine{jpeg.toBase64().toStdString()});
@@ -183,48 +181,6 @@ std::string JournalLines::file(const QString& path) {
 // Reading
 
 namespace {
-
-/// Takes the lines one by one, as long as they are good.
-class Lines {
-public:
-    explicit Lines(std::string_view text) : m_text(text) {}
-
-    [[nodiscard]] std::size_t goodBytes() const { return m_at; }
-    [[nodiscard]] bool isAtEnd() const { return m_at == m_text.size(); }
-    void keep(std::string_view json) {  // what next() gave is good
-        m_at += kDigits + 1 + json.size() + 1;
-        ++m_number;
-    }
-
-    /// The JSON of the next line.
-    [[nodiscard]] Result<std::string_view> next() const {
-        const std::string_view rest = m_text.substr(m_at);
-        const std::size_t end = rest.find('\n');
-        if (end == std::string_view::npos) {
-            return problem("It ends in the middle of a line.");
-        }
-        std::uint64_t sum = 0;
-        const std::string_view digits = rest.substr(0, std::min(end, kDigits));
-        if (end <= kDigits || rest[kDigits] != ' ' || !document_words::isHex(digits, kDigits)) {
-            return problem("A line has no checksum.");
-        }
-        std::from_chars(digits.data(), digits.data() + kDigits, sum, 16);
-        const std::string_view json = rest.substr(kDigits + 1, end - kDigits - 1);
-        if (checksum(m_number, json) != sum) {
-            return problem("A line is damaged, or not in its place.");
-        }
-        return json;
-    }
-
-private:
-    [[nodiscard]] Error problem(const char* what) const {
-        return {what, "line " + std::to_string(m_number + 1), "What stands before it can still be used."};
-    }
-
-    std::string_view m_text;
-    std::size_t m_at = 0;
-    std::uint64_t m_number = 0;
-};
 
 Status checkHead(std::string_view json) {
     const Result<JsonValue> root = checkJson(json);
@@ -265,6 +221,9 @@ struct Replay {
         }
         if (reader.has("set")) {
             return set(reader);
+        }
+        if (reader.has("some")) {
+            return some(reader);
         }
         if (reader.has("picture")) {
             return picture(reader);
@@ -312,6 +271,29 @@ private:
         return Done{};
     }
 
+    Status some(FieldReader& reader) {
+        ReadSections read;
+        reader.within("some", read);
+        if (!reader.ok()) {
+            return reader.status();
+        }
+        std::map<TargetId, SavedTarget*> places;
+        for (SavedTarget& target : recovered.document.targets) {
+            places[target.id] = &target;
+        }
+        for (const SavedTarget& target : read.document.targets) {
+            if (!places.contains(target.id)) {
+                return Error{"A line changes a target that is not there.", "", ""};
+            }
+        }
+        for (SavedTarget& target : read.document.targets) {
+            *places[target.id] = std::move(target);
+        }
+        recovered.document.positions.clear();
+        ++recovered.settings;
+        return Done{};
+    }
+
     Status picture(FieldReader& reader) {
         std::string base64;
         reader.text("picture", base64);
@@ -345,7 +327,7 @@ Result<SessionDocument> snapshotOf(std::string_view json) {
 }  // namespace
 
 Result<RecoveredJournal> readJournal(const QByteArray& bytes) {
-    Lines lines({bytes.constData(), static_cast<std::size_t>(bytes.size())});
+    CheckedLines lines({bytes.constData(), static_cast<std::size_t>(bytes.size())});
     const auto refused = [](const Error& error) {
         return Error{"Nothing can be recovered from this journal. " + error.what, error.where,
                      error.advice.empty() || error.where != "line 1" ? "Discard it." : error.advice};

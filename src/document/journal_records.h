@@ -21,11 +21,12 @@ namespace hitscope {
 //   1  a session file in one line
 //   2… {"hits":{"at":5,"remove":1,"insert":[…]}}: an edit of the history
 //      {"set":{"lights":{…}}}: one or several sections of a session file, each as a whole
+//      {"some":{"targets":[…]}}: of the targets these, each as a whole
 //      {"picture":"…"}: what the window showed, small: a JPEG as Base64
 //      {"file":"…"}: the session file that it was saved to; empty: none
 
 inline constexpr std::string_view kJournalFormat = "hitscope journal";
-inline constexpr int kJournalVersion = 3;           ///< 1 knew no pictures, 2 no file
+inline constexpr int kJournalVersion = 4;           ///< 1 knew no pictures, 2 no file, 3 not "some"
 inline constexpr std::size_t kMostPicture = 7'000;  ///< bytes of a JPEG
 
 /// Makes the lines of one journal, in their order; each ends with its line end.
@@ -37,6 +38,8 @@ public:
     [[nodiscard]] std::string edit(std::size_t at, std::size_t remove, std::span<const Hit> insert);
     /// Sections as they are in `document` now; not Section::Hits.
     [[nodiscard]] std::string set(std::span<const Section> sections, const SessionDocument& document);
+    /// The targets of `part`, which are among those before, as they are there.
+    [[nodiscard]] std::string someTargets(const SessionDocument& part);
     /// `jpeg`: at most kMostPicture.
     [[nodiscard]] std::string picture(const QByteArray& jpeg);
     [[nodiscard]] std::string file(const QString& path);

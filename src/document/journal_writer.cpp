@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/journal_writer.h"
 
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <deque>
@@ -30,6 +31,16 @@ struct Edit {
 struct Set {
     std::vector<Section> sections;
     std::unique_ptr<SessionDocument> part;
+    bool some = false;  ///< targets of many
+
+    /// Nothing is left of the one before.
+    [[nodiscard]] bool replaces(const Set& before) const {
+        const auto isSame = [](const SavedTarget& a, const SavedTarget& b) { return a.id == b.id; };
+        const std::vector<SavedTarget>& other = before.part->targets;
+        return sections == before.sections && some == before.some &&
+               (!some ||
+                std::equal(part->targets.begin(), part->targets.end(), other.begin(), other.end(), isSame));
+    }
 };
 struct Picture {
     QByteArray jpeg;
@@ -40,6 +51,10 @@ struct File {
 struct Finish {};
 struct Lost {};  ///< changes that found no room
 using Change = std::variant<Begin, Edit, Set, Picture, File, Finish, Lost>;
+
+std::size_t bytesOf(const SessionDocument& part) {
+    return sizeof(Change) + sizeof(SessionDocument) + part.targets.size() * sizeof(SavedTarget);
+}
 
 }  // namespace
 
@@ -97,7 +112,7 @@ private:
         }
         const auto* set = std::get_if<Set>(&change);
         auto* before = m_waiting.empty() ? nullptr : std::get_if<Set>(&m_waiting.back());
-        if (set != nullptr && before != nullptr && set->sections == before->sections) {
+        if (set != nullptr && before != nullptr && set->replaces(*before)) {
             m_waiting.back() = std::move(change);
             return;
         }
@@ -171,7 +186,8 @@ private:
     }
     void apply(const Set& set) {
         if (m_follows) {
-            append(m_file.lines().set(set.sections, *set.part));
+            append(set.some ? m_file.lines().someTargets(*set.part)
+                            : m_file.lines().set(set.sections, *set.part));
         }
     }
     void apply(const Picture& picture) {
@@ -275,9 +291,14 @@ void JournalWriter::edit(std::size_t at, std::size_t remove, std::span<const Hit
     m_thread->hand(Edit{at, remove, {insert.begin(), insert.end()}}, sizeof(Change) + insert.size_bytes());
 }
 
+void JournalWriter::setSome(SessionDocument part) {
+    const std::size_t bytes = bytesOf(part);
+    auto some = std::make_unique<SessionDocument>(std::move(part));
+    m_thread->hand(Set{{Section::Targets}, std::move(some), true}, bytes);
+}
+
 void JournalWriter::set(std::vector<Section> sections, SessionDocument part) {
-    std::size_t bytes = sizeof(Change) + sizeof(SessionDocument);
-    bytes += part.targets.size() * sizeof(SavedTarget);
+    std::size_t bytes = bytesOf(part);
     for (const SavedSelection::Vertices& vertices : part.selection.vertices) {
         bytes += vertices.vertices.size() * sizeof(std::uint32_t);
     }

@@ -41,6 +41,8 @@ public:
     void edit(std::size_t at, std::size_t remove, std::span<const Hit> insert);
     /// These sections are now as in `part`, of which nothing else counts; not Section::Hits.
     void set(std::vector<Section> sections, SessionDocument part);
+    /// The targets of `part`, which the journal knows, are now as there; nothing else of it counts.
+    void setSome(SessionDocument part);
     /// What the window shows: a JPEG of at most kMostPicture bytes, for who decides whether to recover it.
     void setPicture(const QByteArray& jpeg);
     /// The session file that the session was saved to; empty: none.

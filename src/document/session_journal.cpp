@@ -37,7 +37,7 @@ SessionJournal::SessionJournal(Session& session, std::function<CapturedView()> v
         }
     });
     connect(&targets, &SessionTargets::removed, this, noting(Section::Targets));
-    connect(&targets, &SessionTargets::changed, this, noting(Section::Targets));
+    connect(&targets, &SessionTargets::changed, this, &SessionJournal::noteTarget);
     const SessionSettings& settings = session.settings();
     connect(&settings, &SessionSettings::constantsChanged, this, noting(Section::Constants));
     connect(&settings, &SessionSettings::lightsChanged, this, noting(Section::Lights));
@@ -74,6 +74,17 @@ void SessionJournal::note(Section section) {
         if (!m_soon.isActive()) {
             m_soon.start();
         }
+    }
+}
+
+void SessionJournal::noteTarget(TargetId id) {
+    if (!m_isBegun) {
+        startOver();
+        return;
+    }
+    m_changed.insert(id);
+    if (!m_soon.isActive()) {
+        m_soon.start();
     }
 }
 
@@ -121,20 +132,32 @@ void SessionJournal::flush() {
     m_hasNewTargets = false;
     if (std::exchange(m_startsOver, false)) {
         m_noted.clear();
+        m_changed.clear();
         m_isBegun = true;
         m_revision = m_session.hits().history().revision();
         // Fingerprints of the positions would not hold after the next hit, and take long on a large mesh.
         m_writer.begin(captureHits(m_session, m_view()));
         Q_EMIT begun();
-    } else if (!m_noted.empty()) {
-        m_writer.set({m_noted.begin(), m_noted.end()}, captureSettings(m_session, m_view()));
-        m_noted.clear();
+    } else {
+        writeNoted();
+    }
+}
+
+void SessionJournal::writeNoted() {
+    const std::set<Section> sections = std::exchange(m_noted, {});
+    const std::set<TargetId> targets = std::exchange(m_changed, {});
+    if (!sections.empty()) {
+        m_writer.set({sections.begin(), sections.end()}, captureSettings(m_session, m_view()));
+    }
+    if (!targets.empty() && !sections.contains(Section::Targets)) {
+        m_writer.setSome(captureTargets(m_session, targets));
     }
 }
 
 void SessionJournal::finish() {
     m_soon.stop();
     m_noted.clear();
+    m_changed.clear();
     m_startsOver = false;
     m_hasNewTargets = false;
     m_isBegun = false;

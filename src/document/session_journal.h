@@ -45,6 +45,8 @@ Q_SIGNALS:
 private:
     void followHits();
     void note(Section section);
+    void noteTarget(TargetId id);
+    void writeNoted();
     void startOver();
     [[nodiscard]] bool isWorthIt() const;
 
@@ -53,6 +55,7 @@ private:
     JournalWriter m_writer;
     QTimer m_soon;
     std::set<Section> m_noted;
+    std::set<TargetId> m_changed;  ///< targets: one that moves is written without the others
     std::uint64_t m_revision = 0;  ///< of the history that the journal has
     bool m_isBegun = false;
     bool m_hadHits = false;        ///< when the journal went

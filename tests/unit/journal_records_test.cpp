@@ -87,6 +87,7 @@ class JournalRecordsTest : public QObject {
 private Q_SLOTS:
     void allOfItComesBack();
     void everySection();
+    void someOfTheTargets();
     void pictures();
     void cutAnywhere();
     void damagedAnywhere();
@@ -141,6 +142,22 @@ void JournalRecordsTest::everySection() {
         QVERIFY2(back.ok() && writeDocument(back.value().document) == writeDocument(before),
                  kSections[i].data());
     }
+}
+
+void JournalRecordsTest::someOfTheTargets() {
+    const SessionDocument before = exampleDocument();
+    SessionDocument after = before;
+    after.targets[1].transform.position.x = 7.0f;
+    after.positions.clear();  // they would be those of other targets, for all the line says
+    SessionDocument part;
+    part.targets = {after.targets[1]};
+    JournalLines lines;
+    QByteArray text = QByteArray::fromStdString(lines.begin(before));
+    text += QByteArray::fromStdString(lines.someTargets(part));
+    const Result<RecoveredJournal> read = readJournal(text);
+    QVERIFY2(read.ok() && read.value().problem.empty(), qPrintable(messageOf(read)));
+    QCOMPARE(writeDocument(read.value().document), writeDocument(after));
+    QCOMPARE(read.value().settings, std::size_t(1));
 }
 
 /// The last counts; one that is none of ours ends what is good.
@@ -242,6 +259,8 @@ void JournalRecordsTest::badLines_data() {
         "{\"set\":{\"targets\":[{\"id\":1,\"source\":{\"kind\":\"unknown\"}},"
         "{\"id\":1,\"source\":{\"kind\":\"unknown\"}}]}}",
         "Another target has the id 1 too.");
+    row("some that are none", "{\"some\":{\"targets\":[{\"id\":99,\"source\":{\"kind\":\"unknown\"}}]}}",
+        "A line changes a target that is not there.");
     row("second change is bad", "{\"set\":{\"scene\":{\"name\":\"X\"},\"lights\":3}}",
         "It has to be an object");
 }
@@ -271,7 +290,7 @@ void JournalRecordsTest::badBegins_data() {
     QTest::newRow("lines") << QByteArray(5000, '\n') << "A line has no checksum.";
     QTest::newRow("other") << lineOf(0, "{\"format\":\"x\",\"version\":1}")
                            << "This is no journal of Hitscope.";
-    QTest::newRow("newer") << lineOf(0, "{\"format\":\"hitscope journal\",\"version\":4}")
+    QTest::newRow("newer") << lineOf(0, "{\"format\":\"hitscope journal\",\"version\":5}")
                            << "This journal was written by a newer Hitscope. Recover it with that Hitscope";
     QTest::newRow("head alone") << head << "It ends in the middle of a line.";
     QTest::newRow("no session") << head + lineOf(1, "{}") << "This is no session of Hitscope.";

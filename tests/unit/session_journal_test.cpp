@@ -59,6 +59,7 @@ private Q_SLOTS:
     void otherMeshes();
     void targetsComeBeforeTheirHits();
     void targetsThatComeTogetherAreWrittenOnce();
+    void aTargetThatMovesIsWrittenAlone();
     void endsInOrder();
     void longHistories();
 
@@ -316,6 +317,20 @@ void SessionJournalTest::targetsThatComeTogetherAreWrittenOnce() {
     QCOMPARE(settings(), before + 1);
     compare();
     QCOMPARE(settings(), before + 1);
+}
+
+/// One that rolls is written five times a second.
+void SessionJournalTest::aTargetThatMovesIsWrittenAlone() {
+    QVERIFY(m_session->hits().add(hitOn(*m_session, 1, 0.1f)).ok());
+    compare();
+    m_session->targets().add(std::vector<TargetPlan>(100, planPrimitive({PrimitiveKind::Cube, 3, 1.0f})));
+    compare();
+    const auto bytes = [this] { return readFile(m_journal->writer().path()).size(); };
+    const std::size_t before = bytes();
+    const TargetId moving = m_session->targets()[1]->id;
+    QVERIFY(m_session->targets().setTransform(moving, RigidTransform{{1.0f, 2.0f, 3.0f}}).ok());
+    compare();
+    QVERIFY2(bytes() - before < 1000, qPrintable(QString::number(bytes() - before)));
 }
 
 void SessionJournalTest::endsInOrder() {
