@@ -25,7 +25,6 @@
 #include "document/document_json.h"
 #include "document/session_document.h"
 #include "scene/picture.h"
-#include "session/shots/shot_script_file.h"
 #include "viewport/viewport.h"
 
 namespace hitscope {
@@ -114,11 +113,7 @@ void ExchangeActions::take(const QMimeData& data) {
     }
     for (const QString& path : tables(data)) {
         // Shots and hits both come as JSON; what is no script says best itself what is wrong with it as hits.
-        if (readShotScript(path)) {
-            m_parts.shots.run(path);
-        } else {
-            m_parts.hits.importFrom(path);
-        }
+        m_parts.shots.run(path, [this, path] { m_parts.hits.importFrom(path); });
     }
     for (const QString& path : pictures(data)) {
         takePicture(path);

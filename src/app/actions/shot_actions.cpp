@@ -18,6 +18,7 @@
 #include "app/dialogs/dialogs.h"
 #include "app/dialogs/shot_series_dialog.h"
 #include "app/flight_chooser.h"
+#include "app/script_reader.h"
 #include "app/shot_text.h"
 #include "panels/fields/save_name.h"
 #include "panels/help/help_text.h"
@@ -55,6 +56,7 @@ ShotActions::ShotActions(Session& session, HitEffects& effects, Viewport& viewpo
       m_viewport(viewport),
       m_window(window),
       m_aimPreview(new AimPreview(session, viewport)),
+      m_scripts(new ScriptReader(session, this)),
       m_flight(new FlightChooser(session, this)) {
     m_aimPreview->setEnabled(QSettings().value(kPreviewKey, true).toBool());
     connect(&viewport, &Viewport::shot, this, &ShotActions::explainPass);
@@ -170,13 +172,16 @@ void ShotActions::runScript() {
     }
 }
 
-void ShotActions::run(const QString& path) {
-    const Result<ShotScript> script = readShotScript(path);
-    if (!script) {
-        showError(&m_window, script.error());
-        return;
-    }
-    schedule(m_session, script.value());
+void ShotActions::run(const QString& path, const std::function<void()>& otherwise) {
+    m_scripts->read(path, [this, otherwise](const Result<ShotScript>& script) {
+        if (script) {
+            schedule(m_session, script.value());
+        } else if (otherwise) {
+            otherwise();
+        } else {
+            showError(&m_window, script.error());
+        }
+    });
 }
 
 void ShotActions::explainPass(const Ray& ray) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <functional>
 #include <optional>
 
 #include "app/shot_series.h"
@@ -17,6 +18,7 @@ namespace hitscope {
 class AimPreview;
 class FlightChooser;
 class HitEffects;
+class ScriptReader;
 class Viewport;
 
 /// Shots: at the crosshair, how they fly, bursts, sequences, scripts, the aim preview. Says what becomes of
@@ -27,9 +29,11 @@ public:
     /// `session`, `effects`, `viewport` and `window`, the dialogs' parent, outlive this.
     ShotActions(Session& session, HitEffects& effects, Viewport& viewport, QWidget& window);
 
-    void fill(QMenu& menu);         ///< once
-    void fill(QToolBar& bar);       ///< once
-    void run(const QString& path);  ///< a shot script; what is wrong with it is said
+    void fill(QMenu& menu);    ///< once
+    void fill(QToolBar& bar);  ///< once
+    /// A shot script, read on another thread. Where it is none, `otherwise` is done; without that, what is
+    /// wrong is said.
+    void run(const QString& path, const std::function<void()>& otherwise = {});
     [[nodiscard]] AimPreview& aimPreview() { return *m_aimPreview; }
 
 Q_SIGNALS:
@@ -52,6 +56,7 @@ private:
     Viewport& m_viewport;
     QWidget& m_window;
     AimPreview* m_aimPreview = nullptr;
+    ScriptReader* m_scripts = nullptr;
     FlightChooser* m_flight = nullptr;
     QAction* m_stop = nullptr;
     std::optional<std::size_t> m_lastHit;  ///< row of a lone shot's hit, until it is known what that did
