@@ -2,7 +2,10 @@
 #include "app/shot_text.h"
 
 #include <QCoreApplication>
+#include <algorithm>
+#include <glm/geometric.hpp>
 
+#include "deform/dent_shape.h"
 #include "models/quantity_text.h"
 #include "session/shown_number.h"
 
@@ -39,7 +42,31 @@ QString wholeSeries(const ShotCount& count) {
     return text;
 }
 
+bool hasVertexWithin(const HitReach& reach, const DeformedMesh& mesh) {
+    const std::span<const glm::vec3> positions = mesh.positions();
+    return std::any_of(positions.begin(), positions.end(), [&reach](const glm::vec3& position) {
+        return glm::distance(glm::dvec3(position), glm::dvec3(reach.centre)) <=
+               static_cast<double>(reach.radius);
+    });
+}
+
+QString whyIdle(const Hit& hit, const Target& target) {
+    if (!(hit.constants.maxMagnitude > 0.0f)) {
+        return ShotText::tr("max magnitude is 0.");
+    }
+    if (hit.form.usesPower() && !(hit.constants.power > 0.0f)) {
+        return ShotText::tr("power is 0.");
+    }
+    return hasVertexWithin(reachOf(hit), target.deformed)
+               ? ShotText::tr("the hit is too weak for those that are near.")
+               : ShotText::tr("none is near enough. Ctrl+R refines the mesh there.");
+}
+
 }  // namespace
+
+QString idleHitText(const Hit& hit, const Target& target) {
+    return ShotText::tr("The shot hit %1, and moved no vertex: %2").arg(target.name, whyIdle(hit, target));
+}
 
 QString shotText(const ShotCount& count, const Session& session) {
     if (count.shots == 1) {

@@ -11,4 +11,7 @@ namespace hitscope {
 /// struck. Nothing between the two for a series.
 [[nodiscard]] QString shotText(const ShotCount& count, const Session& session);
 
+/// Of hits on `target` that moved no vertex, such as this one: why not.
+[[nodiscard]] QString idleHitText(const Hit& hit, const Target& target);
+
 }  // namespace hitscope

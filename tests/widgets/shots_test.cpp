@@ -14,6 +14,7 @@
 #include <cmath>
 
 #include "app/dialogs/shot_series_dialog.h"
+#include "app/shot_text.h"
 #include "mesh/primitives.h"
 #include "models/hit_history_model.h"
 #include "session/task_list.h"
@@ -180,6 +181,18 @@ void ShotsTest::aShotThatMovesNothingSaysSo() {
     QTRY_VERIFY_WITH_TIMEOUT(isKnown(), kPatience);
     QCOMPARE(m_session->hits().history().size(), std::size_t{2});
     QVERIFY2(!said().contains(QStringLiteral("vertex")), qPrintable(said()));
+    ConstantsSetting setting = m_session->settings().constantsSetting();
+    setting.constants.power = 0.0f;
+    QVERIFY(m_session->settings().setConstants(setting).ok());
+    shootWithin(10.0f);
+    QTRY_VERIFY2_WITH_TIMEOUT(said().endsWith(QStringLiteral("moved no vertex: power is 0.")),
+                              qPrintable(said()), kPatience);
+    Hit hit = m_session->hits().history().hits().back();
+    hit.constants.power = 1.0e-30f;
+    const Target& target = *m_session->targets().front();
+    QVERIFY(idleHitText(hit, target).contains(QStringLiteral("too weak")));
+    hit.constants.maxMagnitude = 0.0f;
+    QVERIFY(idleHitText(hit, target).endsWith(QStringLiteral("max magnitude is 0.")));
 }
 
 void ShotsTest::fewVerticesAreRefinedAtTheAim() {

@@ -94,11 +94,7 @@ void ShotActions::tellIdleHit() {
     if (effect->affected > 0 || target == nullptr) {
         return;
     }
-    Q_EMIT said(hit.constants.maxMagnitude > 0.0f || hit.form.presses()
-                    ? tr("The shot hit %1, and moved no vertex: none is near enough. Ctrl+R refines the "
-                         "mesh there.")
-                          .arg(target->name)
-                    : tr("The shot hit %1, and moved no vertex: max magnitude is 0.").arg(target->name));
+    Q_EMIT said(idleHitText(hit, *target));
 }
 
 void ShotActions::fill(QToolBar& bar) {
