@@ -9,4 +9,7 @@ namespace hitscope {
 /// whatever names, paths and messages are in it. A text that Qt takes for plain stays as it is.
 [[nodiscard]] QString asPlainText(const QString& text);
 
+/// What an action or a button is called: its text without the "&" that marks a key, and without "…".
+[[nodiscard]] QString withoutMarks(QString text);
+
 }  // namespace hitscope

@@ -36,6 +36,12 @@ private Q_SLOTS:
             QCOMPARE(asPlainText(text), text);
         }
     }
+
+    void marksOfKeysAreNotRead() {
+        QCOMPARE(withoutMarks(QStringLiteral("Export A&gain…")), QStringLiteral("Export Again"));
+        QCOMPARE(withoutMarks(QStringLiteral("A&gain to R&&D.obj")), QStringLiteral("Again to R&D.obj"));
+        QCOMPARE(withoutMarks(QStringLiteral("&&&Cut &")), QStringLiteral("&Cut "));
+    }
 };
 
 HITSCOPE_TEST(PlainTextTest, QCoreApplication)

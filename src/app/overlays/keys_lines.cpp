@@ -10,6 +10,8 @@
 #include <QSet>
 #include <utility>
 
+#include "models/plain_text.h"
+
 namespace hitscope {
 
 namespace {
@@ -20,12 +22,6 @@ constexpr const char* kMeaningProperty = "hitscopeKeysMeaning";
 struct KeysTexts {
     Q_DECLARE_TR_FUNCTIONS(hitscope::Keys)
 };
-
-QString plainText(const QString& text) {
-    QString plain = text;
-    plain.remove(QLatin1Char('&'));
-    return plain.remove(QStringLiteral("…"));
-}
 
 /// "Next Mode" of the menu "Wireframe" says little by itself.
 QString meaningOf(const QString& text, const QString& submenu) {
@@ -53,7 +49,7 @@ void addLine(KeysSection& section, const QAction& action, const QString& submenu
         }
         return;
     }
-    const QStringList text = plainText(action.text()).split(u'\t');
+    const QStringList text = withoutMarks(action.text()).split(u'\t');
     const QString shortcut = shortcutsOf(action);
     const QString key = shortcut.isEmpty() ? text.value(1) : shortcut;
     if (!key.isEmpty()) {
@@ -64,7 +60,7 @@ void addLine(KeysSection& section, const QAction& action, const QString& submenu
 void addMenu(KeysSection& section, const QMenu& menu, const QString& submenu) {
     for (const QAction* action : menu.actions()) {
         if (const QMenu* inner = action->menu()) {
-            addMenu(section, *inner, plainText(inner->title()));
+            addMenu(section, *inner, withoutMarks(inner->title()));
         } else {
             addLine(section, *action, submenu);
         }
@@ -162,7 +158,7 @@ std::vector<KeysSection> actionKeys(const QMainWindow& window) {
     };
     for (const QAction* action : window.menuBar()->actions()) {
         if (const QMenu* menu = action->menu()) {
-            KeysSection section{plainText(menu->title()), {}};
+            KeysSection section{withoutMarks(menu->title()), {}};
             addMenu(section, *menu, {});
             keep(std::move(section));
         }

@@ -15,9 +15,7 @@ namespace {
 constexpr const char* kWhyProperty = "hitscopeWhyDisabled";
 
 QString nameOf(const QAction& action) {
-    QString name = action.text().section(u'\t', 0, 0);
-    name.remove(QLatin1Char('&'));
-    return name.remove(QStringLiteral("…"));
+    return withoutMarks(action.text().section(u'\t', 0, 0));
 }
 
 /// "Ctrl+G"; of those that the viewport handles, the one after the tabulator.
