@@ -36,7 +36,6 @@ void loadStyle(const QSettings& settings, const ChangeTraits& traits, QuantitySt
 
 void loadChangeSettings(const QSettings& settings, DisplayOptions& display) {
     ChangeMapOptions& map = display.change;
-    map.on = settings.value(QStringLiteral("change/on"), map.on).toBool();
     map.isolines = settings.value(QStringLiteral("change/isolines"), map.isolines).toBool();
     const QString quantity = settings.value(QStringLiteral("change/quantity")).toString();
     for (const ChangeTraits& traits : allChangeQuantities()) {
@@ -52,7 +51,6 @@ void loadChangeSettings(const QSettings& settings, DisplayOptions& display) {
 
 void saveChangeSettings(QSettings& settings, const DisplayOptions& display) {
     const ChangeMapOptions& map = display.change;
-    settings.setValue(QStringLiteral("change/on"), map.on);
     settings.setValue(QStringLiteral("change/isolines"), map.isolines);
     for (const ChangeTraits& traits : allChangeQuantities()) {
         const QuantityStyle& style = map.styles[static_cast<std::size_t>(traits.quantity)];
