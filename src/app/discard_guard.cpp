@@ -139,7 +139,7 @@ QMessageBox* DiscardGuard::makeBox() {
                              ? tr("%Ln {hit|hits} on this scene {is|are} not saved.", nullptr, trCount(hits))
                              : tr("Changes of this scene's targets are not saved.");
     auto* box =
-        new QMessageBox(QMessageBox::Question, tr("Save session"), what, QMessageBox::NoButton, &m_window);
+        new QMessageBox(QMessageBox::Question, tr("Save Session"), what, QMessageBox::NoButton, &m_window);
     box->setObjectName(QStringLiteral("discardHits"));
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setTextFormat(Qt::PlainText);

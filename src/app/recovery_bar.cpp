@@ -228,7 +228,7 @@ void RecoveryBar::dropRecovered() {
 }
 
 void RecoveryBar::askToDiscard() {
-    auto* box = new QMessageBox(QMessageBox::Question, tr("Discard session"),
+    auto* box = new QMessageBox(QMessageBox::Question, tr("Discard Session"),
                                 tr("Delete what was kept of this session? This cannot be undone."),
                                 QMessageBox::Cancel, window());
     box->setObjectName(QStringLiteral("confirmDiscard"));

@@ -115,12 +115,12 @@ private Q_SLOTS:
             });
         };
         for (const char* text : {"Speed of the projectile just before the hit", "Constants of %Ln Hits",
-                                 "Average of the changed vertices' displacements.", "Add primitive"}) {
+                                 "Average of the changed vertices' displacements.", "Add Primitive"}) {
             QVERIFY2(isIn(marked, text), text);
         }
         const std::vector<Text> all = interfaceTexts(addLiterals);
         for (const char* text : {"How far the vertex is from where it was",
-                                 "shoot a mesh, see exactly what moved, save the result", "Add primitive"}) {
+                                 "shoot a mesh, see exactly what moved, save the result", "Add Primitive"}) {
             QVERIFY2(isIn(all, text), text);
         }
     }

@@ -182,7 +182,7 @@ void ExportActions::choose() {
     };
     ExportDialog dialog(std::move(choice), &m_window);
     if (!m_session.hits().showsAll()) {  // the history was moved back
-        dialog.setWindowTitle(tr("Export after hit %1 of %2")
+        dialog.setWindowTitle(tr("Export After Hit %1 of %2")
                                   .arg(countText(m_session.hits().shown().size()),
                                        countText(m_session.hits().history().size())));
     }
@@ -233,7 +233,7 @@ QString ExportActions::choosePath(const std::vector<const Target*>& targets, Exp
     const QString suffix = QLatin1String(traitsOf(format).suffix);
     const QString name = targets.size() > 1 ? QStringLiteral("scene") : exportName(*targets.front());
     const QString path = askSaveName(
-        &m_window, {.title = tr("Export deformed mesh"),
+        &m_window, {.title = tr("Export Deformed Mesh"),
                     .suggested = suggestedPath(existingFolder(m_settings.folder), name,
                                                QStringLiteral("_deformed.") + suffix),
                     .filters = {tr("%1 (*.%2)").arg(tr(traitsOf(format).name), suffix)},

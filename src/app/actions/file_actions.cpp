@@ -356,7 +356,7 @@ void FileActions::showRecent() {
 
 void FileActions::choosePlacement() {
     bool accepted = false;
-    const double extent = QInputDialog::getDouble(&m_parts.window, tr("Centre and scale"),
+    const double extent = QInputDialog::getDouble(&m_parts.window, tr("Centre and Scale"),
                                                   tr("Largest extent of the mesh, in metres.\nIts hits are "
                                                      "cleared, which can be undone; the file's own "
                                                      "coordinates are kept for export."),

@@ -55,7 +55,7 @@ void FileActions::tellChanged() {
 /// Somebody else has saved to the session's file.
 bool FileActions::askAndReplace() {
     QMessageBox box(
-        QMessageBox::Warning, tr("Save session"),
+        QMessageBox::Warning, tr("Save Session"),
         tr("%1 was changed by another program or window since it was opened or saved here. Saving "
            "replaces those changes.")
             .arg(QFileInfo(m_parts.sessions.path()).fileName()),
@@ -91,7 +91,7 @@ bool FileActions::saveAs() {
         name = QDir(existingFolder(m_parts.settings.folder))
                    .filePath((scene.isEmpty() ? tr("session") : scene) + suffix);
     }
-    const QString path = askSaveName(&m_parts.window, {.title = tr("Save session"),
+    const QString path = askSaveName(&m_parts.window, {.title = tr("Save Session"),
                                                        .suggested = name,
                                                        .filters = {sessionsFilter()},
                                                        .suffixes = {suffix.mid(1)}});
@@ -103,7 +103,7 @@ bool FileActions::saveAs() {
 }
 
 void FileActions::askAndRevert() {
-    auto* box = new QMessageBox(QMessageBox::Question, tr("Revert to saved"),
+    auto* box = new QMessageBox(QMessageBox::Question, tr("Revert to Saved"),
                                 tr("Go back to %1 as it was saved? All changes since are lost.")
                                     .arg(QFileInfo(m_parts.sessions.path()).fileName()),
                                 QMessageBox::Cancel, &m_parts.window);

@@ -155,7 +155,7 @@ void HitActions::chooseExport() {
     const QString csv = tr("Comma-separated values (*.csv)");
     const QString json = tr("JSON (*.json)");
     const QString path =
-        askSaveName(m_window, {.title = tr("Export all hits"),
+        askSaveName(m_window, {.title = tr("Export All Hits"),
                                .suggested = existingFolder(m_folder) + QStringLiteral("/hits.csv"),
                                .filters = {csv, json},
                                .suffixes = {QStringLiteral("csv"), QStringLiteral("json")}});
@@ -167,7 +167,7 @@ void HitActions::chooseExport() {
 }
 
 void HitActions::chooseImport() {
-    const QString path = QFileDialog::getOpenFileName(m_window, tr("Import hits"), existingFolder(m_folder),
+    const QString path = QFileDialog::getOpenFileName(m_window, tr("Import Hits"), existingFolder(m_folder),
                                                       tr("Hits (*.csv *.json);;All files (*)"));
     if (!path.isEmpty()) {
         m_folder = QFileInfo(path).absolutePath();

@@ -236,7 +236,7 @@ void PictureActions::choosePicture() {
         filters << tr("%1 (*.%2)", "PNG (*.png)").arg(suffix.toUpper(), suffix);
     }
     const QString path = askSaveName(
-        &m_window, {.title = tr("Save picture"),
+        &m_window, {.title = tr("Save Picture"),
                     .suggested = QDir(existingFolder()).filePath(baseName() + QStringLiteral(".png")),
                     .filters = filters,
                     .suffixes = suffixes});
@@ -257,8 +257,8 @@ void PictureActions::chooseSequence() {
         return;
     }
     dialog.save(*ChangedSettings());
-    const QString folder = QFileDialog::getExistingDirectory(
-        &m_window, tr("Where to put the folder of pictures"), existingFolder());
+    const QString folder =
+        QFileDialog::getExistingDirectory(&m_window, tr("Choose Where to Put the Folder"), existingFolder());
     if (folder.isEmpty()) {
         return;
     }

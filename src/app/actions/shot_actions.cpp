@@ -147,7 +147,7 @@ void ShotActions::shoot(const ShotSeries& series) {
 }
 
 void ShotActions::save(const ShotSeries& series) {
-    const QString path = askSaveName(&m_window, {.title = tr("Save shot script"),
+    const QString path = askSaveName(&m_window, {.title = tr("Save Shot Script"),
                                                  .suggested = QStringLiteral("shots.json"),
                                                  .filters = {tr("Shot scripts (*.json)")},
                                                  .suffixes = {QStringLiteral("json")}});
@@ -162,7 +162,7 @@ void ShotActions::save(const ShotSeries& series) {
 
 void ShotActions::runScript() {
     const QString path =
-        QFileDialog::getOpenFileName(&m_window, tr("Run shot script"), {}, tr("Shot scripts (*.json)"));
+        QFileDialog::getOpenFileName(&m_window, tr("Run Shot Script"), {}, tr("Shot scripts (*.json)"));
     if (!path.isEmpty()) {
         run(path);
     }

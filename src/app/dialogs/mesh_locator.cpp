@@ -32,7 +32,7 @@ void MeshLocator::ask() {
     if (more > 0) {
         lines << tr("and %n more", nullptr, static_cast<int>(more));
     }
-    auto* box = new QMessageBox(QMessageBox::Warning, tr("Meshes of this session"), lines.join(u'\n'),
+    auto* box = new QMessageBox(QMessageBox::Warning, tr("Meshes of This Session"), lines.join(u'\n'),
                                 QMessageBox::NoButton, &m_window);
     box->setObjectName(QStringLiteral("meshTroubles"));
     box->setAttribute(Qt::WA_DeleteOnClose);

@@ -84,7 +84,7 @@ void TextureLocator::locate() {
     }
     const QString folder = m_folder.isEmpty() ? QFileInfo(all.front().file).absolutePath() : m_folder;
     const QString path = QFileDialog::getOpenFileName(
-        m_parent, tr("Locate the texture “%1”").arg(fileNameOf(all.front().name)), folder,
+        m_parent, tr("Locate Texture “%1”").arg(fileNameOf(all.front().name)), folder,
         tr("Pictures (*.png *.jpg *.jpeg *.bmp *.tga *.tif *.tiff *.webp *.gif);;All files (*)"));
     if (path.isEmpty()) {
         return;

@@ -241,7 +241,7 @@ Status CuttingPlanePanel::saveCsv(const QString& path) const {
 }
 
 void CuttingPlanePanel::chooseCsv() {
-    const QString path = askSaveName(this, {.title = tr("Save the section as CSV"),
+    const QString path = askSaveName(this, {.title = tr("Save Section as CSV"),
                                             .suggested = QStringLiteral("section.csv"),
                                             .filters = {tr("CSV (*.csv)")},
                                             .suffixes = {QStringLiteral("csv")}});
@@ -249,7 +249,7 @@ void CuttingPlanePanel::chooseCsv() {
         return;
     }
     if (const Status status = saveCsv(path); !status) {
-        QMessageBox::warning(this, tr("Save the section as CSV"),
+        QMessageBox::warning(this, tr("Save Section as CSV"),
                              asPlainText(QString::fromStdString(status.error().message())));
     }
 }

@@ -177,7 +177,7 @@ Status DentMeasurementPanel::saveCsv(const QString& path) const {
 }
 
 void DentMeasurementPanel::chooseCsv() {
-    const QString path = askSaveName(this, {.title = tr("Save the profile as CSV"),
+    const QString path = askSaveName(this, {.title = tr("Save Profile as CSV"),
                                             .suggested = QStringLiteral("profile.csv"),
                                             .filters = {tr("CSV (*.csv)")},
                                             .suffixes = {QStringLiteral("csv")}});
@@ -185,7 +185,7 @@ void DentMeasurementPanel::chooseCsv() {
         return;
     }
     if (const Status status = saveCsv(path); !status) {
-        QMessageBox::warning(this, tr("Save the profile as CSV"),
+        QMessageBox::warning(this, tr("Save Profile as CSV"),
                              asPlainText(QString::fromStdString(status.error().message())));
     }
 }
