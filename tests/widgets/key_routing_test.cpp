@@ -126,12 +126,18 @@ private Q_SLOTS:
         QCOMPARE(editor->text(), text);  // what is no number is not taken
     }
 
+    void escapeDropsWhatWasTyped_data() {
+        QTest::addColumn<QString>("parent");
+        QTest::addColumn<QString>("name");
+        QTest::newRow("lights") << "lights"
+                                << "diffuse";
+        QTest::newRow("tool bar") << "tools"
+                                  << "timeScale";
+    }
     void escapeDropsWhatWasTyped() {
-        auto* box =
-            qobject_cast<QDoubleSpinBox*>(focusedBox(QStringLiteral("lights"), QStringLiteral("positionX")));
-        box = box != nullptr ? box
-                             : qobject_cast<QDoubleSpinBox*>(
-                                   focusedBox(QStringLiteral("tools"), QStringLiteral("timeScale")));
+        QFETCH(QString, parent);
+        QFETCH(QString, name);
+        auto* box = qobject_cast<QDoubleSpinBox*>(focusedBox(parent, name));
         QVERIFY(box != nullptr);
         const double before = box->value();
         box->findChild<QLineEdit*>()->selectAll();

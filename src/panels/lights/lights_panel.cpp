@@ -122,6 +122,7 @@ void LightsPanel::addPoint(QDoubleSpinBox* const (&boxes)[3], glm::vec3* (*point
 }
 
 void LightsPanel::addField(QDoubleSpinBox* box, Value value, double scale) {
+    box->setKeyboardTracking(false);  // what is typed can be dropped
     m_fields.push_back({box, qobject_cast<NumberBox*>(box), std::move(value), scale});
     const std::size_t index = m_fields.size() - 1;
     connect(box, &QDoubleSpinBox::valueChanged, this,
