@@ -95,8 +95,12 @@ public:
     }
     bool wait(int milliseconds) {
         std::unique_lock lock(m_mutex);
-        return m_done.wait_for(lock, std::chrono::milliseconds(milliseconds),
-                               [this] { return m_synced == m_handedOver; });
+        ++m_callers;
+        m_news.notify_all();
+        const bool isDone = m_done.wait_for(lock, std::chrono::milliseconds(milliseconds),
+                                            [this] { return m_synced == m_handedOver; });
+        --m_callers;
+        return isDone;
     }
     QString path() const {
         const std::lock_guard lock(m_mutex);
@@ -126,10 +130,13 @@ private:
         m_waiting.push_back(std::move(change));
     }
 
+    /// Somebody is in wait(), and not all is on the disk.
+    [[nodiscard]] bool isWaitedFor() const { return m_callers > 0 && m_synced != m_handedOver; }
+
     void run() {
         std::unique_lock lock(m_mutex);
         for (bool isOver = false; !isOver;) {
-            const auto isNews = [this] { return m_mayStop || !m_waiting.empty(); };
+            const auto isNews = [this] { return m_mayStop || !m_waiting.empty() || isWaitedFor(); };
             if (const std::optional<Clock::time_point> until = nextDeadline()) {
                 m_news.wait_until(lock, *until, isNews);
             } else {
@@ -138,13 +145,14 @@ private:
             std::deque<Change> changes = std::exchange(m_waiting, {});
             m_waitingBytes = 0;
             isOver = m_mayStop;
+            const bool isUrgent = isOver || isWaitedFor();
             const std::size_t handed = m_handedOver;
             lock.unlock();
             for (Change& change : changes) {
                 std::visit([this](auto& kind) { apply(kind); }, change);
             }
             changes.clear();  // without the lock
-            const bool isSynced = syncIfDue(isOver);
+            const bool isSynced = syncIfDue(isUrgent);
             askAgainIfDue();
             lock.lock();
             m_path = m_file.isOpen() ? m_file.path() : QString();
@@ -224,11 +232,11 @@ private:
     }
 
     /// Returns whether all that was written is on the disk.
-    bool syncIfDue(bool isOver) {
+    bool syncIfDue(bool isUrgent) {
         if (!m_unsyncedSince) {
             return true;
         }
-        if (!isOver && Clock::now() < *m_unsyncedSince + std::chrono::milliseconds(kSyncWithin)) {
+        if (!isUrgent && Clock::now() < *m_unsyncedSince + std::chrono::milliseconds(kSyncWithin)) {
             return false;
         }
         m_unsyncedSince.reset();
@@ -264,6 +272,7 @@ private:
     std::size_t m_waitingBytes = 0;
     std::size_t m_handedOver = 0;
     std::size_t m_synced = 0;
+    int m_callers = 0;     ///< in wait()
     bool m_keeps = false;  ///< what is synced is in the file
     bool m_mayStop = false;
     QString m_path;

@@ -55,7 +55,8 @@ public:
     [[nodiscard]] std::size_t synced() const;
     /// Whether the first so many calls are on the disk, or in a snapshot there; given up is not.
     [[nodiscard]] bool isKept(std::size_t calls) const;
-    /// Until all is; for tests, and before something dangerous. Returns whether it is.
+    /// Until all is, which is synced at once; for tests, and before something dangerous. Returns whether it
+    /// is.
     bool wait(int milliseconds);
     [[nodiscard]] QString path() const;  ///< empty: there is no file
 

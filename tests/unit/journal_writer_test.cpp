@@ -124,11 +124,20 @@ void JournalWriterTest::syncsWithinASecond() {
         QVERIFY(QTest::qWaitFor(
             [&] { return recovered(writer.path()).edits == static_cast<std::size_t>(i) + 1; }, kPatience));
         QVERIFY(writer.synced() < writer.handedOver() || timer.elapsed() >= JournalWriter::kSyncWithin);
-        QVERIFY(writer.wait(kPatience));
+        QVERIFY(QTest::qWaitFor([&] { return writer.synced() == writer.handedOver(); }, kPatience));
         // A busy machine may take longer; what is promised is that nothing else is waited for.
         QVERIFY2(timer.elapsed() < 20 * JournalWriter::kSyncWithin,
                  qPrintable(QString::number(timer.elapsed())));
     }
+    bool isSooner = false;  // for who waits; a busy machine may need several attempts
+    for (int i = 0; i < 100 && !isSooner; ++i) {
+        QElapsedTimer timer;
+        timer.start();
+        writer.edit(0, 0, someHits(i, 1));
+        QVERIFY(writer.wait(kPatience));
+        isSooner = timer.elapsed() < JournalWriter::kSyncWithin;
+    }
+    QVERIFY(isSooner);
 }
 
 void JournalWriterTest::neverWaits() {
