@@ -41,6 +41,8 @@ public:
         m_view.width = 32;
         m_view.height = 24;
         m_view.options.floor = false;
+        // Past the target: hits are applied and read back, and nothing of it needs to be drawn.
+        m_view.camera.setPivot(glm::vec3(0.0f, 0.0f, -1000.0f), 0.0f, 0.0f, 1.0f);
     }
 
     void shootAll(const FrameLength& frame, std::uint32_t seed, int count = kShots) {
