@@ -111,7 +111,7 @@ void BenchReportsTest::everyReportIsAsItsSchemaAndItsPage_data() {
           "physics --quick --triangles 500 --size 64x36", "session --quick --hits 100",
           "io --quick --quads 900 --triangles 200 --size 64x36",
           "check --quick --only paper-way-8k,projectiles",
-          "latency --quick --vertices 500 --size 400x300 --scattered 0",
+          "latency --frames 1 --vertices 500 --size 400x300 --scattered 0",
           "memory --vertices 500 --size 400x300 --hits 3"}) {
         QTest::newRow(line) << QString::fromLatin1(line);
     }
