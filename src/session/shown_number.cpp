@@ -17,6 +17,8 @@ namespace hitscope {
 
 namespace {
 
+constexpr double kMostPlain = 1.0e7;  // larger numbers are shown with powers of ten
+
 /// The C locale, which bare machines have, leaves group separators out; long vertex counts need them.
 QLocale grouping(QLocale locale) {
     locale.setNumberOptions(locale.numberOptions() & ~QLocale::OmitGroupSeparator);
@@ -63,12 +65,19 @@ QString shownNumber(double value, char format, int precision) {
 }
 
 QString shownNumber(const QLocale& locale, double value, char format, int precision) {
+    if (format == 'g' && precision > 0) {
+        // A thousand metres are no reason for powers of ten.
+        const double step = std::pow(10.0, std::floor(std::log10(std::abs(value))) - (precision - 1));
+        const double rounded = std::round(value / step) * step;
+        if (std::abs(rounded) >= std::pow(10.0, precision) && std::abs(rounded) < kMostPlain) {
+            return locale.toString(rounded, 'f', 0);
+        }
+    }
     return locale.toString(value, format, precision);
 }
 
 QString shownFloat(float value) {
     constexpr double kLeastPlain = 1.0e-5;
-    constexpr double kMostPlain = 1.0e7;
     std::string digits;
     appendNumber(digits, value);
     double number = 0.0;
