@@ -17,7 +17,8 @@ namespace hitscope::cli {
 
 namespace {
 
-constexpr double kMostLength = 1.0e9;  // metres
+constexpr double kMostLength = 1.0e9;    // metres
+constexpr double kMostPercent = 99.999;  // of what a mesh is simplified to
 
 std::vector<TargetId> idsOf(const Session& session) {
     std::vector<TargetId> ids;
@@ -73,15 +74,13 @@ QList<UsageOption> meshStepOptions() {
 namespace {
 
 std::optional<RefineOptions> givenRefinement(Invocation& given) {
-    const std::optional<double> length = given.numberIfSet("refine", 0.0, kMostLength);
+    const std::optional<double> length =
+        given.positiveIfSet("refine", kMostLength, QStringLiteral("a length in metres"));
     if (!length) {
         if (given.isSet("refine-by")) {
             given.complain(QStringLiteral("--refine-by needs --refine."));
         }
         return std::nullopt;
-    }
-    if (!(static_cast<float>(*length) > 0.0f)) {
-        given.complain(QStringLiteral("--refine takes a length in metres, more than 0."));
     }
     const auto method = static_cast<RefineMethod>(given.word("refine-by"));
     return RefineOptions{.method = method,
@@ -91,15 +90,12 @@ std::optional<RefineOptions> givenRefinement(Invocation& given) {
 }
 
 std::optional<SimplifyOptions> givenSimplifying(Invocation& given) {
-    const std::optional<double> percent = given.numberIfSet("simplify", 0.0, 100.0);
+    const std::optional<double> percent =
+        given.positiveIfSet("simplify", kMostPercent, QStringLiteral("a percentage"));
     if (!percent) {
         return std::nullopt;
     }
-    const auto share = static_cast<float>(*percent / 100.0);
-    if (!(share > 0.0f && share < 1.0f)) {
-        given.complain(QStringLiteral("--simplify takes a percentage above 0 and below 100."));
-    }
-    return SimplifyOptions{.share = share, .region = {}};
+    return SimplifyOptions{.share = static_cast<float>(*percent / 100.0), .region = {}};
 }
 
 /// "Simplifying"

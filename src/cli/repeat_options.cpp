@@ -41,9 +41,10 @@ RepeatWish givenRepeat(Invocation& given) {
         wish.scatter =
             static_cast<std::uint32_t>(given.wholeNumber("scatter", 1, static_cast<int>(kMostScattered)));
     }
-    wish.density = given.numberIfSet("density", 0.0, kMostDensity).value_or(0.0);
-    if (given.isSet("density") && (given.isSet("scatter") || !(wish.density > 0.0))) {
-        given.complain(QStringLiteral("--density takes a number above 0, and excludes --scatter."));
+    wish.density = given.positiveIfSet("density", kMostDensity, QStringLiteral("a number per square metre"))
+                       .value_or(0.0);
+    if (given.isSet("density") && given.isSet("scatter")) {
+        given.complain(QStringLiteral("--density and --scatter exclude each other."));
     }
     if (given.isSet("size-spread") && !wish.scatters()) {
         given.complain(QStringLiteral("--size-spread goes with --scatter or --density."));

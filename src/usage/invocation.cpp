@@ -178,6 +178,19 @@ std::optional<double> Invocation::numberIfSet(const char* name, double least, do
     return text(name).isEmpty() && !isSet(name) ? std::nullopt : std::optional(number(name, least, most));
 }
 
+std::optional<double> Invocation::positiveIfSet(const char* name, double most, const QString& what) {
+    if (!isSet(name)) {
+        return std::nullopt;
+    }
+    bool isNumber = false;
+    const double value = text(name).toDouble(&isNumber);
+    if (!isNumber || !(static_cast<float>(value) > 0.0f && value <= most)) {
+        complain(QStringLiteral("--%1 takes %2 above 0, %3 at most.").arg(named(name), what).arg(most));
+        return 0.0;
+    }
+    return value;
+}
+
 std::uint32_t Invocation::seed(const char* name) {
     bool isNumber = false;
     const uint value = text(name).toUInt(&isNumber);

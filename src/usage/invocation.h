@@ -37,6 +37,9 @@ public:
     [[nodiscard]] double number(const char* name, double least, double most);
     /// Nothing where neither value nor default is there.
     [[nodiscard]] std::optional<double> numberIfSet(const char* name, double least, double most);
+    /// Likewise; above 0, and otherwise, or where it is more than the most, an error and 0. `what`: "a length
+    /// in metres".
+    [[nodiscard]] std::optional<double> positiveIfSet(const char* name, double most, const QString& what);
     [[nodiscard]] std::uint32_t seed(const char* name);  ///< 0 to 4,294,967,295
     /// Which of the option's words; 0, and an error, where it is none.
     [[nodiscard]] std::size_t word(const char* name);

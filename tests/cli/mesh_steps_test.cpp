@@ -98,10 +98,13 @@ private Q_SLOTS:
     void stepsThatCannotBeAreRefused_data() {
         QTest::addColumn<QStringList>("options");
         QTest::newRow("nothing left") << QStringList{"--simplify", "0"};
+        QTest::newRow("less than nothing left") << QStringList{"--simplify", "-3"};
         QTest::newRow("everything left") << QStringList{"--simplify", "100"};
         QTest::newRow("no pass") << QStringList{"--smooth", "0"};
         QTest::newRow("too many passes") << QStringList{"--smooth", "1001"};
         QTest::newRow("no length") << QStringList{"--refine", "0"};
+        QTest::newRow("a length below 0") << QStringList{"--refine", "-1"};
+        QTest::newRow("next to no length") << QStringList{"--refine", "1e-60"};
         QTest::newRow("a method without a length") << QStringList{"--refine-by", "butterfly"};
     }
 
@@ -110,6 +113,7 @@ private Q_SLOTS:
         const QString path = in("refused.ply");
         const CliRun run = runCli(QStringList{"convert"} + options + QStringList{in("ball.obj"), path});
         QCOMPARE(run.status, 2);
+        QVERIFY2(!run.err.contains("from 0"), qPrintable(run.err));  // 0 is refused
         QVERIFY(!QFile::exists(path));
     }
 
